@@ -1,0 +1,2 @@
+//! Physically plausible reflectance models for microcontrollers, in f32 and fixed point.
+#![no_std]

@@ -1,0 +1,3 @@
+//! The command `microbrdf`.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! The f64 reference of every model, written from the papers.

@@ -1,0 +1,1 @@
+//! Scene and material files, and what they become: constants for the core.
