@@ -1,2 +1,38 @@
 //! The wire format between a shading microcontroller and its receiver.
+//!
+//! This crate moves pictures as bytes; it knows nothing of how they are shaded.
+//! `docs/wire-format.md` specifies what goes over the wire, with example bytes
+//! that this crate's tests read from there.
+//!
+//! * To send: [`FrameWriter`] over any [`embedded_io::Write`]; in a panic or
+//!   fault handler [`send_fault`].
+//!
+//! Nothing here allocates or panics, and every buffer has a fixed size. One
+//! packet is at most [`MAX_PACKET`] bytes, so a sender needs about half a
+//! kilobyte of RAM, whatever the size of the picture.
 #![no_std]
+#![deny(
+    clippy::arithmetic_side_effects,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::unreachable,
+    clippy::unwrap_used
+)]
+
+mod bounded;
+mod checksum;
+mod format;
+mod packet;
+mod send;
+mod wire;
+
+pub use bounded::Bounded;
+pub use checksum::FrameChecksum;
+pub use format::{
+    MAX_CHUNK, MAX_COMPILER, MAX_FAULT_TEXT, MAX_LOG, MAX_NAME, MAX_PACKET, MAX_WIRE,
+    PROTOCOL_VERSION, PixelFormat,
+};
+pub use packet::{EndOfFrame, Fault, FaultCode, Header, HeaderError, Kind, Pixels};
+pub use send::{FrameWriter, SendError, max_row_wire_bytes, send_fault, send_log};
+pub use wire::{WirePacket, encode_packet};

@@ -1,0 +1,34 @@
+//! Pixels of one row, or of a part of it.
+
+use super::Kind;
+use crate::bounded::Full;
+use crate::wire::Body;
+
+/// Consecutive pixels of one row.
+///
+/// A row is sent in as many of these as it takes, so that no side has to hold
+/// it whole and a damaged byte costs no more than [`MAX_CHUNK`](crate::MAX_CHUNK)
+/// bytes of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixels<'a> {
+    /// Number of the frame.
+    pub frame: u16,
+    /// Row, counted from 0 at the top.
+    pub row: u16,
+    /// Column of the first pixel, counted from 0 at the left.
+    pub column: u16,
+    /// The pixels in the frame's format; 1 to [`MAX_CHUNK`](crate::MAX_CHUNK) bytes, whole pixels.
+    pub data: &'a [u8],
+}
+
+impl Pixels<'_> {
+    pub(crate) fn body(&self) -> Result<Body, Full> {
+        let mut body = Body::new();
+        body.push(Kind::Pixels.code())?;
+        for number in [self.frame, self.row, self.column] {
+            body.extend(&number.to_le_bytes())?;
+        }
+        body.extend(self.data)?;
+        Ok(body)
+    }
+}
