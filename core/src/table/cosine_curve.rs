@@ -1,0 +1,66 @@
+//! A colour over the cosine of an angle: Fresnel reflectance, albedo.
+
+/// Cells in [0, 1/4), each 1/256 wide.
+const FINE_CELLS: usize = 64;
+/// Cells in [1/4, 1], each 1/64 wide.
+const COARSE_CELLS: usize = 48;
+/// Number of knots of a [`CosineCurve`].
+pub const COSINE_KNOTS: usize = FINE_CELLS + COARSE_CELLS + 1;
+
+/// Three channels tabulated over a cosine in [0, 1], 678 bytes.
+///
+/// Fresnel reflectance and albedo bend near grazing, so the quarter nearest
+/// to it has four times narrower cells. Entries have 15 fraction bits and
+/// reach just below 2: a spectral metal's red can pass 1. The host computes
+/// them ([`CosineCurve::from_entries`]); the greatest error for each metal is
+/// in `docs/accuracy.md`, tested in `tests/tests/tables.rs`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CosineCurve {
+    entries: [[u16; 3]; COSINE_KNOTS],
+}
+
+impl CosineCurve {
+    /// A curve from the values at its knots, red, green and blue with 15
+    /// fraction bits, from cosine 0 to 1; [`Self::knot`] tells which cosine
+    /// each entry is at.
+    #[must_use]
+    pub const fn from_entries(entries: [[u16; 3]; COSINE_KNOTS]) -> Self {
+        Self { entries }
+    }
+
+    /// The entries, as given to [`Self::from_entries`].
+    #[must_use]
+    pub const fn entries(&self) -> &[[u16; 3]; COSINE_KNOTS] {
+        &self.entries
+    }
+
+    /// Cosine of knot `index` in units of 1/256; `index` past the last knot
+    /// gets 256.
+    #[must_use]
+    pub const fn knot(index: usize) -> u16 {
+        let units = if index < FINE_CELLS { index } else { FINE_CELLS + 4 * (index - FINE_CELLS) };
+        if units < 256 { units as u16 } else { 256 }
+    }
+
+    /// Red, green and blue at a cosine with 30 fraction bits; the result has
+    /// 31. A cosine outside [0, 1] gets the nearest end.
+    #[inline]
+    pub(crate) fn at(&self, cosine: i32) -> [u32; 3] {
+        let cosine = cosine.clamp(0, 1 << 30) as u32;
+        // Cell, and the position within it with 16 fraction bits.
+        let (cell, fraction) = if cosine < 1 << 28 {
+            (cosine >> 22, (cosine >> 6) & 0xFFFF)
+        } else {
+            (FINE_CELLS as u32 - 16 + (cosine >> 24), (cosine >> 8) & 0xFFFF)
+        };
+        let cell = cell as usize;
+        let Some(left) = self.entries.get(cell) else { return [0; 3] };
+        // At cosine 1 the cell is the last knot itself.
+        let right = self.entries.get(cell + 1).unwrap_or(left);
+        [0, 1, 2].map(|channel| {
+            let (from, to) = (i32::from(left[channel]), i32::from(right[channel]));
+            let rise = i64::from(to - from) * i64::from(fraction);
+            ((i64::from(from) << 16) + rise) as u32
+        })
+    }
+}
