@@ -6,6 +6,10 @@
 //!
 //! * To send: [`FrameWriter`] over any [`embedded_io::Write`]; in a panic or
 //!   fault handler [`send_fault`].
+//! * To receive: [`Reassembler`], fed with whatever bytes come in. Beneath it
+//!   lie [`Deframer`] (bytes to packets) and [`Packet::parse`] (the checked
+//!   meaning of a packet).
+//! * To test: [`FaultInjector`], a sink that damages what passes through it.
 //!
 //! Nothing here allocates or panics, and every buffer has a fixed size. One
 //! packet is at most [`MAX_PACKET`] bytes, so a sender needs about half a
@@ -22,17 +26,27 @@
 
 mod bounded;
 mod checksum;
+mod deframe;
 mod format;
+mod injector;
 mod packet;
+mod picture;
+mod reassemble;
 mod send;
 mod wire;
 
-pub use bounded::Bounded;
+pub use bounded::{Bounded, Full};
 pub use checksum::FrameChecksum;
+pub use deframe::{DeframeError, Deframer, RawPacket};
 pub use format::{
     MAX_CHUNK, MAX_COMPILER, MAX_FAULT_TEXT, MAX_LOG, MAX_NAME, MAX_PACKET, MAX_WIRE,
     PROTOCOL_VERSION, PixelFormat,
 };
-pub use packet::{EndOfFrame, Fault, FaultCode, Header, HeaderError, Kind, Pixels};
+pub use injector::{Damage, FaultInjector, Faults};
+pub use packet::{
+    EndOfFrame, Fault, FaultCode, Header, HeaderError, Kind, Packet, PacketError, Pixels,
+};
+pub use picture::Picture;
+pub use reassemble::{Event, FrameReport, Reassembler, ReceiveError, Statistics, Stopped};
 pub use send::{FrameWriter, SendError, max_row_wire_bytes, send_fault, send_log};
 pub use wire::{WirePacket, encode_packet};

@@ -1,6 +1,7 @@
 //! The end of a frame.
 
 use super::Kind;
+use super::fields::Fields;
 use crate::bounded::Full;
 use crate::wire::Body;
 
@@ -16,6 +17,16 @@ pub struct EndOfFrame {
 }
 
 impl EndOfFrame {
+    pub(super) fn parse(payload: &[u8]) -> Option<Self> {
+        let mut fields = Fields(payload);
+        let end = Self {
+            frame: fields.u16()?,
+            rows: fields.u16()?,
+            checksum: fields.u32()?,
+        };
+        fields.end().map(|()| end)
+    }
+
     pub(crate) fn body(&self) -> Result<Body, Full> {
         let mut body = Body::new();
         body.push(Kind::End.code())?;

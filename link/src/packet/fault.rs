@@ -1,6 +1,9 @@
 //! A device's last words.
 
+use core::str;
+
 use super::Kind;
+use super::fields::Fields;
 use crate::bounded::Full;
 use crate::wire::Body;
 
@@ -47,7 +50,17 @@ impl FaultCode {
     }
 }
 
-impl Fault<'_> {
+impl<'a> Fault<'a> {
+    /// Reads a fault; its text ends where it ceases to be UTF-8.
+    pub(super) fn parse(payload: &'a [u8]) -> Option<Self> {
+        let mut fields = Fields(payload);
+        Some(Self {
+            frame: fields.u16()?,
+            code: FaultCode::from_code(fields.u8()?),
+            text: valid_start(fields.0),
+        })
+    }
+
     pub(crate) fn body(&self) -> Result<Body, Full> {
         let mut body = Body::new();
         body.push(Kind::Fault.code())?;
@@ -56,4 +69,13 @@ impl Fault<'_> {
         body.extend(self.text.as_bytes())?;
         Ok(body)
     }
+}
+
+fn valid_start(bytes: &[u8]) -> &str {
+    let valid = match str::from_utf8(bytes) {
+        Ok(_) => bytes.len(),
+        Err(error) => error.valid_up_to(),
+    };
+    let start = bytes.get(..valid).unwrap_or_default();
+    str::from_utf8(start).unwrap_or_default()
 }

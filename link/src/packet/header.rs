@@ -1,6 +1,7 @@
 //! The frame header: who sends, and what the picture is.
 
-use super::Kind;
+use super::fields::Fields;
+use super::{Kind, PacketError};
 use crate::bounded::Full;
 use crate::format::{MAX_COMPILER, MAX_NAME, PROTOCOL_VERSION, PixelFormat};
 use crate::wire::Body;
@@ -99,6 +100,47 @@ impl<'a> Header<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Reads a header from what follows its kind. The version is looked at
+    /// first, and nothing else if it is another.
+    pub(super) fn parse(payload: &'a [u8]) -> Result<Self, PacketError> {
+        let malformed = PacketError::Layout {
+            kind: Kind::Header.name(),
+            length: payload.len(),
+        };
+        let mut fields = Fields(payload);
+        let version = fields.u8().ok_or(malformed)?;
+        if version != PROTOCOL_VERSION {
+            return Err(PacketError::Version { version });
+        }
+        let frame = fields.u16().ok_or(malformed)?;
+        let width = fields.u16().ok_or(malformed)?;
+        let height = fields.u16().ok_or(malformed)?;
+        let code = fields.u8().ok_or(malformed)?;
+        let pixel_format = PixelFormat::from_code(code).ok_or(PacketError::PixelFormat { code })?;
+        let exposure = match fields.u8().ok_or(malformed)? {
+            0 => None,
+            HAS_EXPOSURE => Some(fields.f64().ok_or(malformed)?),
+            flags => return Err(PacketError::Flags { flags }),
+        };
+        let mut text = || fields.text().ok_or(malformed);
+        let header = Self {
+            version,
+            frame,
+            width,
+            height,
+            pixel_format,
+            exposure,
+            board: text()?,
+            core: text()?,
+            compiler: text()?,
+            arithmetic: text()?,
+            scene: text()?,
+        };
+        fields.end().ok_or(malformed)?;
+        header.check().map_err(PacketError::Header)?;
+        Ok(header)
     }
 
     /// Lays the header out; its texts must have been checked.
