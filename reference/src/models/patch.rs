@@ -1,0 +1,129 @@
+//! The basic patch BRDF, f = 1/(π min(1, R²)) where m ≤ R (4.2, 4.7).
+
+use crate::error::above;
+use crate::geometry::{below_horizon, metric_squared};
+use crate::quadrature::{Chart, ChartKind};
+use crate::{Brdf, Direction, ParameterError};
+use std::f64::consts::PI;
+
+/// The basic patch with radius R, above 0 and at most 2; R = 2 is Lambert.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch {
+    radius: f64,
+    constant: f64,
+}
+
+impl Patch {
+    /// With c(R) = 1/(π min(1, R²)) (4.7): albedo 1 at the normal.
+    pub fn new(radius: f64) -> Result<Self, ParameterError> {
+        let radius = above("radius", radius, 0.0, 2.0)?;
+        Ok(Self {
+            radius,
+            constant: 1.0 / (PI * (radius * radius).min(1.0)),
+        })
+    }
+
+    /// The radius R.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Whether V's projection is within R of the mirrored projection of L; at R = 2
+    /// always, without a comparison.
+    fn covers(&self, l: &Direction, v: &Direction) -> bool {
+        self.radius == 2.0 || metric_squared(l, v) <= self.radius * self.radius
+    }
+
+    /// The albedo (4.8) in closed form: the share of the circle that is inside the base circle.
+    pub fn exact_albedo(&self, cos_theta: f64) -> f64 {
+        let d = ((1.0 - cos_theta) * (1.0 + cos_theta)).max(0.0).sqrt();
+        self.constant * lens_area(self.radius, d)
+    }
+}
+
+/// The area common to the unit circle and one of radius `r` whose centre is `d` away (4.9, 4.10).
+pub fn lens_area(r: f64, d: f64) -> f64 {
+    if d <= (1.0 - r).abs() {
+        return PI * r.min(1.0).powi(2);
+    }
+    if d >= 1.0 + r {
+        return 0.0;
+    }
+    // Half angles of the two sectors; the common chord's kite is subtracted.
+    let a = ((d * d + r * r - 1.0) / (2.0 * d * r))
+        .clamp(-1.0, 1.0)
+        .acos();
+    let b = ((d * d + 1.0 - r * r) / (2.0 * d)).clamp(-1.0, 1.0).acos();
+    let kite = ((1.0 + r - d) * (d + r - 1.0) * (d + 1.0 - r) * (d + r + 1.0)).max(0.0);
+    r * r * a + b - 0.5 * kite.sqrt()
+}
+
+impl Brdf for Patch {
+    fn eval(&self, l: &Direction, v: &Direction) -> f64 {
+        if below_horizon(l, v) || !self.covers(l, v) {
+            0.0
+        } else {
+            self.constant
+        }
+    }
+
+    fn peak(&self) -> f64 {
+        self.constant
+    }
+
+    fn rho(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+        if below_horizon(l, v) || !self.covers(l, v) {
+            [0.0; 3]
+        } else {
+            [l.z; 3]
+        }
+    }
+
+    fn chart(&self, _l: &Direction) -> Chart {
+        Chart::new(ChartKind::Plane, self.radius).with_edges(&[self.radius])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{directional_albedo_at, models::Lambert};
+
+    #[test]
+    fn quadrature_equals_the_lens() {
+        for r in [1e-3, 0.2, 0.7, 1.0, 1.3, 1.9, 2.0] {
+            let m = Patch::new(r).unwrap();
+            for degrees in [0.0, 20.0, 44.0, 70.0, 89.9, 90.0] {
+                let l = Direction::from_degrees(degrees, 0.0);
+                let a = directional_albedo_at(&m, degrees);
+                let exact = m.exact_albedo(l.z);
+                assert!(
+                    (a.value - exact).abs() < 1e-10,
+                    "R = {r}, {degrees}: {a:?} {exact}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn radius_two_is_lambert() {
+        let (m, lambert) = (Patch::new(2.0).unwrap(), Lambert::grey(1.0).unwrap());
+        for degrees in [0.0, 50.0, 90.0] {
+            let l = Direction::from_degrees(degrees, 0.0);
+            assert_eq!(m.eval(&l, &l), lambert.eval(&l, &l));
+            assert_eq!(
+                m.reflect(&l, &l.mirrored()),
+                lambert.reflect(&l, &l.mirrored())
+            );
+        }
+        assert!(Patch::new(2.0 + 1e-12).is_err() && Patch::new(0.0).is_err());
+    }
+
+    #[test]
+    fn the_bound_0_391_is_at_the_horizon() {
+        // 2/3 − √3/2π at R = 1.
+        let m = Patch::new(1.0).unwrap();
+        let bound = 2.0 / 3.0 - 3f64.sqrt() / (2.0 * PI);
+        assert!((m.exact_albedo(0.0) - bound).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,197 @@
+//! Polar coordinates on the hemisphere that follow a model's lobe.
+
+use crate::Direction;
+
+/// What the polar coordinates are centred on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChartKind {
+    /// V about N; radius t = tan(Θ/2).
+    Cosine,
+    /// V about R; radius t = tan(α/2).
+    Mirror,
+    /// V about L; radius t = tan(angle/2).
+    Retro,
+    /// H about N; radius t = tanδ.
+    Half,
+    /// V's projection about R's on the base plane; radius t = m.
+    Plane,
+    /// V's projection about L's on the base plane.
+    RetroPlane,
+}
+
+/// A chart: where to look, at what scale, and at which radii f jumps or bends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    /// The centre and the meaning of the radius.
+    pub kind: ChartKind,
+    /// The radius that belongs to the middle of the radial variable: the lobe's width.
+    pub scale: f64,
+    /// Radii at which f is not smooth.
+    pub edges: Vec<f64>,
+}
+
+impl Chart {
+    /// For broad models: polar coordinates about the normal.
+    pub fn cosine() -> Self {
+        Self::new(ChartKind::Cosine, 1.0)
+    }
+
+    /// A chart with the given width and no edges.
+    pub fn new(kind: ChartKind, scale: f64) -> Self {
+        Self {
+            kind,
+            scale: scale.clamp(1e-9, 1.0),
+            edges: Vec::new(),
+        }
+    }
+
+    /// The chart of a lobe cosⁿ about R or L, with the edge at 90°, where the lobe ends.
+    pub fn power(kind: ChartKind, exponent: f64) -> Self {
+        let mut chart = Self::new(kind, 0.7 / (exponent + 1.0).sqrt());
+        chart.edges.push(1.0);
+        chart
+    }
+
+    /// With edges at the given radii.
+    pub fn with_edges(mut self, edges: &[f64]) -> Self {
+        self.edges.extend_from_slice(edges);
+        self
+    }
+}
+
+/// A chart placed at a direction L.
+pub(crate) struct Placed<'a> {
+    chart: &'a Chart,
+    l: Direction,
+    /// Unit vector along L's projection, and the one at right angles to it.
+    e1: (f64, f64),
+    sin_l: f64,
+    greatest: f64,
+}
+
+/// A point of a chart: the direction and the density of projected solid angle
+/// per radius and azimuth.
+pub(crate) struct Point {
+    pub v: Direction,
+    /// Positive above the horizon; a smooth function across it.
+    pub above: f64,
+    /// cosΘV dω = `measure` dq dφ, in the radial variable q of 0 … 1.
+    pub measure: f64,
+}
+
+impl<'a> Placed<'a> {
+    pub fn new(chart: &'a Chart, l: &Direction) -> Self {
+        let sin_l = l.x.hypot(l.y);
+        let e1 = if sin_l > 0.0 {
+            (l.x / sin_l, l.y / sin_l)
+        } else {
+            (1.0, 0.0)
+        };
+        let greatest = match chart.kind {
+            ChartKind::Cosine => 1.0,
+            ChartKind::Plane | ChartKind::RetroPlane => 1.0 + sin_l,
+            ChartKind::Mirror | ChartKind::Retro | ChartKind::Half => f64::INFINITY,
+        };
+        Self {
+            chart,
+            l: *l,
+            e1,
+            sin_l,
+            greatest,
+        }
+    }
+
+    /// The radius at q, its derivative; 0 … `greatest` for q = 0 … 1.
+    fn radius(&self, q: f64) -> (f64, f64) {
+        let s = self.chart.scale;
+        if self.greatest.is_infinite() {
+            let r = 1.0 - q;
+            return (s * q / r, s / (r * r));
+        }
+        let r = s / self.greatest + 1.0 - q;
+        (s * q / r, s * (s / self.greatest + 1.0) / (r * r))
+    }
+
+    /// The q that belongs to a radius, if it is inside.
+    pub fn q_of_radius(&self, t: f64) -> Option<f64> {
+        let s = self.chart.scale;
+        let q = if self.greatest.is_infinite() {
+            t / (s + t)
+        } else {
+            t * (s / self.greatest + 1.0) / (s + t)
+        };
+        (q > 0.0 && q < 1.0).then_some(q)
+    }
+
+    fn from_frame(&self, along: f64, across: f64, z: f64) -> Direction {
+        let (cx, cy) = self.e1;
+        Direction::new(along * cx - across * cy, along * cy + across * cx, z)
+    }
+
+    /// The point at radial variable q and azimuth φ about the centre.
+    pub fn at(&self, q: f64, phi: f64) -> Point {
+        let (t, dt) = self.radius(q);
+        let (sin_phi, cos_phi) = phi.sin_cos();
+        let (s, c) = (self.sin_l, self.l.z);
+        match self.chart.kind {
+            ChartKind::Cosine => {
+                let d = 1.0 + t * t;
+                let sine = 2.0 * t / d;
+                let cosine = (1.0 - t) * (1.0 + t) / d;
+                Point {
+                    v: self.from_frame(sine * cos_phi, sine * sin_phi, cosine),
+                    above: cosine,
+                    measure: cosine * sine * 2.0 / d * dt,
+                }
+            }
+            ChartKind::Mirror | ChartKind::Retro => {
+                let d = 1.0 + t * t;
+                let sine = 2.0 * t / d;
+                let versine = 2.0 * t * t / d;
+                let side = if self.chart.kind == ChartKind::Mirror {
+                    -1.0
+                } else {
+                    1.0
+                };
+                // axis = (side·s, 0, c); e = (−side·c, 0, s) is towards the normal.
+                let (u, w) = (sine * cos_phi, sine * sin_phi);
+                let along = side * (s * (1.0 - versine) - c * u);
+                let z = c * (1.0 - versine) + s * u;
+                Point {
+                    v: self.from_frame(along, w, z),
+                    above: z,
+                    measure: z * sine * 2.0 / d * dt,
+                }
+            }
+            ChartKind::Half => {
+                let root = (1.0 + t * t).sqrt();
+                let (sine, cosine) = (t / root, 1.0 / root);
+                let h = (sine * cos_phi, sine * sin_phi, cosine);
+                let lh = h.0 * s + h.2 * c;
+                // V = 2 (L·H) H − L, so V.z = c cos 2δ + s cosφ sin 2δ.
+                let z = c * (1.0 - 2.0 * sine * sine) + 2.0 * s * h.0 * cosine;
+                let above = if lh > 0.0 { z } else { -1.0 };
+                Point {
+                    v: self.from_frame(2.0 * lh * h.0 - s, 2.0 * lh * h.1, z),
+                    above,
+                    measure: z * 4.0 * lh * sine / (1.0 + t * t) * dt,
+                }
+            }
+            ChartKind::Plane | ChartKind::RetroPlane => {
+                let side = if self.chart.kind == ChartKind::Plane {
+                    -1.0
+                } else {
+                    1.0
+                };
+                let (u, w) = (t * cos_phi, t * sin_phi);
+                // φ = 0 points to the middle of the base circle.
+                let above = c * c - t * t + 2.0 * s * u;
+                Point {
+                    v: self.from_frame(side * (s - u), w, above.max(0.0).sqrt()),
+                    above,
+                    measure: t * dt,
+                }
+            }
+        }
+    }
+}
