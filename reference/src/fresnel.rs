@@ -97,15 +97,17 @@ mod tests {
 
     #[test]
     fn aluminium_at_60_degrees_has_the_absolute_square() {
-        // Index of Table 1.2; the square of the complex amplitude would give 0.912.
-        let (eta, k) = (0.93, 6.33);
-        let c = 0.5;
+        // Index of Table 1.2. The plain square of the complex amplitude has the real part
+        // 0.912; the absolute square is 0.957.
+        let (eta, k, c) = (0.93, 6.33, 0.5);
         let index2 = Complex64::new(eta, k) * Complex64::new(eta, k);
         let gamma = (index2 - 0.75).sqrt();
-        let s = ((c - gamma) / (c + gamma)).norm_sqr();
-        let p = ((index2 * c - gamma) / (index2 * c + gamma)).norm_sqr();
-        assert!((s - 0.957).abs() < 5e-4, "{s}");
-        assert!(s > conductor(eta, k, c) && conductor(eta, k, c) > p);
+        let s = (c - gamma) / (c + gamma);
+        let p = (index2 * c - gamma) / (index2 * c + gamma);
+        assert!(((s * s).re - 0.912).abs() < 5e-4);
+        assert!((s.norm_sqr() - 0.957).abs() < 5e-4);
+        let expected = 0.5 * (s.norm_sqr() + p.norm_sqr());
+        assert!((conductor(eta, k, c) - expected).abs() < 1e-15);
     }
 
     #[test]
@@ -120,7 +122,7 @@ mod tests {
     fn grazing_reflects_all_and_index_one_nothing() {
         assert_eq!(conductor(0.18, 3.64, 0.0), 1.0);
         assert_eq!(dielectric(1.5, 0.0), 1.0);
-        assert_eq!(dielectric(1.0, 0.3), 0.0);
+        assert!(dielectric(1.0, 0.3) < 1e-30);
     }
 
     #[test]

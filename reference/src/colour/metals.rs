@@ -85,8 +85,8 @@ pub fn metal_index(metal: MetalName, nm: f64) -> (f64, f64) {
 /// The colour of a smooth metal at `cos_theta` (0 … 1) from the normal: its spectral
 /// Fresnel reflectance under D65 as linear sRGB, white being (1, 1, 1).
 ///
-/// Not clipped: some colours lie outside sRGB (red gold above 1, blue gold near 0).
-/// [`super::to_gamut`] is the gamut map for pictures.
+/// Not clipped: a saturated metal can lie outside sRGB, with a channel above 1 or below 0
+/// (the four here stay inside, tested). [`super::to_gamut`] is the gamut map for pictures.
 pub fn metal_rgb(metal: MetalName, cos_theta: f64) -> [f64; 3] {
     Observer::standard().colour(&|nm| {
         let (eta, k) = metal_index(metal, nm);

@@ -37,7 +37,7 @@ impl Metal {
 
     /// From a metal's measured spectrum, integrated to linear sRGB under D65.
     ///
-    /// The channels are not clipped: red gold exceeds 1 (see [`crate::colour::metal_rgb`]).
+    /// The channels are not clipped (see [`crate::colour::metal_rgb`]).
     pub fn named(exponent: f64, metal: MetalName) -> Result<Self, ParameterError> {
         Ok(Self {
             shape: PModel::new(exponent, 1.0, Energy::Published)?,

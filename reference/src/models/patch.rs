@@ -36,26 +36,27 @@ impl Patch {
 
     /// The albedo (4.8) in closed form: the share of the circle that is inside the base circle.
     pub fn exact_albedo(&self, cos_theta: f64) -> f64 {
-        let d = ((1.0 - cos_theta) * (1.0 + cos_theta)).max(0.0).sqrt();
-        self.constant * lens_area(self.radius, d)
+        self.constant * lens_area(self.radius, cos_theta)
     }
 }
 
-/// The area common to the unit circle and one of radius `r` whose centre is `d` away (4.9, 4.10).
-pub fn lens_area(r: f64, d: f64) -> f64 {
-    if d <= (1.0 - r).abs() {
+/// The area common to the unit circle and one of radius `r` (above 0) whose centre lies
+/// where a direction of cosine `c` (0 … 1) projects, at d = √(1 − c²) (4.9, 4.10).
+///
+/// 1 − d is formed from the cosine, so that small circles at grazing angles lose nothing.
+pub fn lens_area(r: f64, c: f64) -> f64 {
+    let d = ((1.0 - c) * (1.0 + c)).max(0.0).sqrt();
+    let short = c * c / (1.0 + d);
+    if d <= (1.0 - r).abs() && (r >= 1.0 || r <= short) {
         return PI * r.min(1.0).powi(2);
     }
-    if d >= 1.0 + r {
-        return 0.0;
-    }
-    // Half angles of the two sectors; the common chord's kite is subtracted.
-    let a = ((d * d + r * r - 1.0) / (2.0 * d * r))
-        .clamp(-1.0, 1.0)
-        .acos();
-    let b = ((d * d + 1.0 - r * r) / (2.0 * d)).clamp(-1.0, 1.0).acos();
-    let kite = ((1.0 + r - d) * (d + r - 1.0) * (d + 1.0 - r) * (d + r + 1.0)).max(0.0);
-    r * r * a + b - 0.5 * kite.sqrt()
+    // Sides 1, r, d of a triangle; the two sectors less the kite.
+    let kite = ((short + r) * (r - short) * (d + 1.0 - r) * (d + r + 1.0))
+        .max(0.0)
+        .sqrt();
+    let a = kite.atan2(r * r - c * c);
+    let b = kite.atan2(d * d + 1.0 - r * r);
+    r * r * a + b - 0.5 * kite
 }
 
 impl Brdf for Patch {

@@ -212,11 +212,12 @@ mod tests {
 
     #[test]
     fn the_error_estimate_covers_a_peak() {
+        // The abscissa's own rounding is worth 1e-16/w here.
         let w = 1e-4;
         let e = integrate(|x| w / (w * w + (x - 0.37).powi(2)), &[0.0, 1.0]);
         let exact = (0.63 / w).atan() + (0.37 / w).atan();
         assert!(
-            (e.value - exact).abs() <= e.error.max(1e-13),
+            (e.value - exact).abs() <= e.error.max(1e-12),
             "{e:?} {exact}"
         );
         assert!(e.error < 1e-10);
