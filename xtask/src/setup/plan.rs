@@ -1,0 +1,136 @@
+//! What is missing, and what would bring it.
+
+use crate::command::Runner;
+use crate::failure::Outcome;
+use crate::layout::Layout;
+use crate::setup::{Purpose, apt, deny, python};
+use crate::toolchain::{self, Way, active, distribution, sysroot};
+
+/// What is missing for a purpose, sorted by how it is brought.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Plan {
+    /// Targets to be added to the active toolchain by rustup.
+    pub targets: Vec<&'static str>,
+    /// System packages, each with what it is for.
+    pub packages: Vec<(&'static str, &'static str)>,
+    /// Things made under `target/`.
+    pub local: Vec<Local>,
+}
+
+/// Something made under `target/`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Local {
+    /// `core` for a target, from the distribution's source.
+    Sysroot(&'static str),
+    /// The virtual environment with the receiver.
+    Venv,
+    /// cargo-deny, from crates.io.
+    CargoDeny,
+}
+
+impl Local {
+    /// In words.
+    pub fn words(self) -> String {
+        match self {
+            Self::Sysroot(target) => format!("core for {target}, built from source (about 20 s)"),
+            Self::Venv => "virtual environment with the receiver (target/venv)".to_string(),
+            Self::CargoDeny => {
+                format!(
+                    "cargo-deny {}, built from crates.io (about 1 min)",
+                    deny::VERSION
+                )
+            }
+        }
+    }
+}
+
+impl Plan {
+    /// Whether nothing is missing.
+    pub fn is_empty(&self) -> bool {
+        self.targets.is_empty() && self.packages.is_empty() && self.local.is_empty()
+    }
+
+    /// Looks at the machine. `rustup_failed`: rustup was tried and could not bring the targets.
+    pub fn survey(
+        layout: &Layout,
+        runner: &dyn Runner,
+        purpose: Purpose,
+        targets: &[&'static str],
+        rustup_failed: bool,
+    ) -> Outcome<Self> {
+        let mut plan = Self::default();
+        plan.compiler(layout, runner, purpose, targets, rustup_failed)?;
+        if purpose.runs() && !runner.has("qemu-system-arm") {
+            plan.packages
+                .push(("qemu-system-arm", "emulator of the boards"));
+        }
+        if purpose.runs() && !python::current(layout, purpose) {
+            if !python::can_make_venv(runner) {
+                plan.packages
+                    .push(("python3-venv", "virtual environment for the receiver"));
+            }
+            plan.local.push(Local::Venv);
+        }
+        if purpose == Purpose::Test && deny::program(layout, runner).is_none() {
+            plan.local.push(Local::CargoDeny);
+        }
+        Ok(plan)
+    }
+
+    fn compiler(
+        &mut self,
+        layout: &Layout,
+        runner: &dyn Runner,
+        purpose: Purpose,
+        targets: &[&'static str],
+        rustup_failed: bool,
+    ) -> Outcome<()> {
+        let clippy = purpose == Purpose::Test;
+        if toolchain::ready(layout, runner, targets, clippy)?.is_some() {
+            return Ok(());
+        }
+        let asked = toolchain::asked_for()?;
+        let compiler = match asked {
+            Some(Way::Active) => None,
+            _ => distribution::installed(runner, clippy),
+        };
+        if let Some(compiler) = compiler {
+            let folder = sysroot::folder(layout, &compiler);
+            self.local.extend(
+                targets
+                    .iter()
+                    .filter(|target| !sysroot::holds(&folder, target))
+                    .map(|target| Local::Sysroot(target)),
+            );
+        } else if asked == Some(Way::Active)
+            || (asked.is_none() && !rustup_failed && active::from_rustup(runner))
+        {
+            self.targets.extend(targets);
+        } else {
+            let family = choose_family(runner);
+            for package in family.packages {
+                self.packages
+                    .push((package, "compiler for the boards, with its source"));
+            }
+            self.packages.push((distribution::LINKER, "linker"));
+            if clippy {
+                self.packages.push((family.clippy, "lints of the firmware"));
+            }
+            self.local
+                .extend(targets.iter().map(|target| Local::Sysroot(target)));
+        }
+        Ok(())
+    }
+}
+
+/// The first family whose candidate is new enough; the first of all where the lists know none.
+fn choose_family(runner: &dyn Runner) -> &'static distribution::Family {
+    distribution::FAMILIES
+        .iter()
+        .find(|family| {
+            apt::candidate(runner, family.packages[0])
+                .and_then(|version| distribution::release(&version))
+                .is_some_and(|release| release >= toolchain::OLDEST)
+        })
+        .unwrap_or(&distribution::FAMILIES[0])
+}
