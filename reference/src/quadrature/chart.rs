@@ -123,7 +123,7 @@ impl<'a> Placed<'a> {
         (q > 0.0 && q < 1.0).then_some(q)
     }
 
-    fn from_frame(&self, along: f64, across: f64, z: f64) -> Direction {
+    fn in_frame(&self, along: f64, across: f64, z: f64) -> Direction {
         let (cx, cy) = self.e1;
         Direction::new(along * cx - across * cy, along * cy + across * cx, z)
     }
@@ -139,7 +139,7 @@ impl<'a> Placed<'a> {
                 let sine = 2.0 * t / d;
                 let cosine = (1.0 - t) * (1.0 + t) / d;
                 Point {
-                    v: self.from_frame(sine * cos_phi, sine * sin_phi, cosine),
+                    v: self.in_frame(sine * cos_phi, sine * sin_phi, cosine),
                     above: cosine,
                     measure: cosine * sine * 2.0 / d * dt,
                 }
@@ -158,7 +158,7 @@ impl<'a> Placed<'a> {
                 let along = side * (s * (1.0 - versine) - c * u);
                 let z = c * (1.0 - versine) + s * u;
                 Point {
-                    v: self.from_frame(along, w, z),
+                    v: self.in_frame(along, w, z),
                     above: z,
                     measure: z * sine * 2.0 / d * dt,
                 }
@@ -172,7 +172,7 @@ impl<'a> Placed<'a> {
                 let z = c * (1.0 - 2.0 * sine * sine) + 2.0 * s * h.0 * cosine;
                 let above = if lh > 0.0 { z } else { -1.0 };
                 Point {
-                    v: self.from_frame(2.0 * lh * h.0 - s, 2.0 * lh * h.1, z),
+                    v: self.in_frame(2.0 * lh * h.0 - s, 2.0 * lh * h.1, z),
                     above,
                     measure: z * 4.0 * lh * sine / (1.0 + t * t) * dt,
                 }
@@ -187,7 +187,7 @@ impl<'a> Placed<'a> {
                 // φ = 0 points to the middle of the base circle.
                 let above = c * c - t * t + 2.0 * s * u;
                 Point {
-                    v: self.from_frame(side * (s - u), w, above.max(0.0).sqrt()),
+                    v: self.in_frame(side * (s - u), w, above.max(0.0).sqrt()),
                     above,
                     measure: t * dt,
                 }
