@@ -168,6 +168,12 @@ impl<'a, W: Write> FrameWriter<'a, W> {
         Ok(self.sink)
     }
 
+    /// Gives the sink back in the middle of a frame; pixels that wait for their
+    /// packet to fill are lost. To be followed by a fault, if by anything.
+    pub fn into_sink(self) -> W {
+        self.sink
+    }
+
     fn begin_row_if_due(&mut self) -> Result<(), SendError<W::Error>> {
         let repeats_header = self.row % HEADER_EVERY_ROWS == 0 && self.row != 0;
         if self.column == 0 && repeats_header {
