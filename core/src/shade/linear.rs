@@ -20,7 +20,11 @@ impl Linear {
     #[must_use]
     #[inline]
     pub const fn from_raw(r: u32, g: u32, b: u32) -> Self {
-        Self { r: clamp(r), g: clamp(g), b: clamp(b) }
+        Self {
+            r: clamp(r),
+            g: clamp(g),
+            b: clamp(b),
+        }
     }
 
     /// Red, green and blue, 24 fraction bits, each at most [`LINEAR_ONE`].
@@ -54,20 +58,22 @@ impl Linear {
     #[must_use]
     #[inline]
     pub const fn luminance(self) -> u32 {
-        // 24-bit values times weights that sum to 2⁸ at coarse precision
-        // would lose the dark; split instead, so that 32 bits suffice.
         weigh(self.r, 13_933) + weigh(self.g, 46_871) + weigh(self.b, 4_732)
     }
 }
 
 #[inline]
 const fn clamp(component: u32) -> u32 {
-    if component < LINEAR_ONE { component } else { LINEAR_ONE }
+    if component < LINEAR_ONE {
+        component
+    } else {
+        LINEAR_ONE
+    }
 }
 
 /// `value · weight / 2¹⁶` for a value of at most 25 bits, without a 64-bit
 /// product.
 #[inline]
 const fn weigh(value: u32, weight: u32) -> u32 {
-    (value >> 12) * weight / 16 + ((value & 0xFFF) * weight >> 16)
+    (value >> 12) * weight / 16 + (((value & 0xFFF) * weight) >> 16)
 }

@@ -1,9 +1,23 @@
-//! From reflected radiance to a display's codes.
+//! From a scene to a display's codes.
 
+mod camera;
 mod grey;
 mod linear;
+mod plane;
+mod scene;
+mod sphere;
 mod srgb;
+mod surface;
+mod tracing;
+mod tracing_f32;
+mod tracing_q31;
 
+pub use camera::Camera;
 pub use grey::grey16;
 pub use linear::{LINEAR_ONE, Linear};
+pub use plane::Plane;
+pub use scene::Scene;
+pub use sphere::Sphere;
 pub use srgb::srgb8;
+pub use surface::{AlbedoDaylight, Coat, Daylight, NoDaylight, Surface};
+pub use tracing::Tracing;

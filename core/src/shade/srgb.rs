@@ -34,7 +34,9 @@ pub fn srgb8(linear: u32) -> u8 {
     } else {
         (linear >> (LINEAR_BITS - 8)) + (DARK_CELLS + MIDDLE_CELLS - 64) as u32
     };
-    let Some(&start) = STARTS.get(cell as usize) else { return 255 };
+    let Some(&start) = STARTS.get(cell as usize) else {
+        return 255;
+    };
     // A threshold at the left end is already counted in `start`, so `start`
     // is 255 only where no threshold follows.
     start + u8::from(linear >= THRESHOLDS[usize::from(start)])

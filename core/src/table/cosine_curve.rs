@@ -1,5 +1,7 @@
 //! A colour over the cosine of an angle: Fresnel reflectance, albedo.
 
+use crate::colour::Rgb;
+
 /// Cells in [0, 1/4), each 1/256 wide.
 const FINE_CELLS: usize = 64;
 /// Cells in [1/4, 1], each 1/64 wide.
@@ -38,7 +40,11 @@ impl CosineCurve {
     /// gets 256.
     #[must_use]
     pub const fn knot(index: usize) -> u16 {
-        let units = if index < FINE_CELLS { index } else { FINE_CELLS + 4 * (index - FINE_CELLS) };
+        let units = if index < FINE_CELLS {
+            index
+        } else {
+            FINE_CELLS + 4 * (index - FINE_CELLS)
+        };
         if units < 256 { units as u16 } else { 256 }
     }
 
@@ -51,10 +57,15 @@ impl CosineCurve {
         let (cell, fraction) = if cosine < 1 << 28 {
             (cosine >> 22, (cosine >> 6) & 0xFFFF)
         } else {
-            (FINE_CELLS as u32 - 16 + (cosine >> 24), (cosine >> 8) & 0xFFFF)
+            (
+                FINE_CELLS as u32 - 16 + (cosine >> 24),
+                (cosine >> 8) & 0xFFFF,
+            )
         };
         let cell = cell as usize;
-        let Some(left) = self.entries.get(cell) else { return [0; 3] };
+        let Some(left) = self.entries.get(cell) else {
+            return [0; 3];
+        };
         // At cosine 1 the cell is the last knot itself.
         let right = self.entries.get(cell + 1).unwrap_or(left);
         [0, 1, 2].map(|channel| {
@@ -62,5 +73,27 @@ impl CosineCurve {
             let rise = i64::from(to - from) * i64::from(fraction);
             ((i64::from(from) << 16) + rise) as u32
         })
+    }
+
+    /// As [`Self::at`], in single precision.
+    #[inline]
+    pub(crate) fn at_f32(&self, cosine: f32) -> Rgb<f32> {
+        // False for what is not a number, too: it gets the first entry.
+        let cosine = if cosine > 0.0 { cosine.min(1.0) } else { 0.0 };
+        let position = if cosine < 0.25 {
+            cosine * (4 * FINE_CELLS) as f32
+        } else {
+            cosine * 64.0 + (FINE_CELLS - 16) as f32
+        };
+        let cell = position as usize;
+        let Some(left) = self.entries.get(cell) else {
+            return Rgb::grey(0.0);
+        };
+        let right = self.entries.get(cell + 1).unwrap_or(left);
+        let fraction = position - cell as f32;
+        Rgb::from_array([0, 1, 2].map(|channel| {
+            let (from, to) = (f32::from(left[channel]), f32::from(right[channel]));
+            (from + (to - from) * fraction) / 32768.0
+        }))
     }
 }

@@ -5,7 +5,7 @@
 //! It is exact to about 2⁻⁶⁰ and takes its time: no shading path calls it.
 
 /// ln 2 with 64 fraction bits.
-const LN_2: u128 = 0xB172_17F7_D1CF_79AC;
+pub(crate) const LN_2: u128 = 0xB172_17F7_D1CF_79AC;
 /// 1.0 with 64 fraction bits.
 pub(crate) const ONE: u128 = 1 << 64;
 /// 1/π with 64 fraction bits.
@@ -98,7 +98,11 @@ mod tests {
     fn logarithm_agrees_with_f64() {
         for i in 0..64 {
             let x = u64::MAX >> i;
-            let expected = if i == 0 { 64.0 * f64::ln(2.0) } else { -f64::ln_1p(-(0.5f64.powi(i))) };
+            let expected = if i == 0 {
+                64.0 * f64::ln(2.0)
+            } else {
+                -f64::ln_1p(-(0.5f64.powi(i)))
+            };
             close(neg_ln_one_minus(x), expected, 1e-14);
         }
     }
@@ -117,7 +121,11 @@ mod tests {
             for tau in [0.0, 0.1, 0.5, 0.9] {
                 let x = ((tau / n) * UNIT) as u64;
                 let expected = (n * f64::ln_1p(-(x as f64 / UNIT))).exp();
-                close(power_of_one_minus(x, (n * 4294967296.0) as u64), expected, tolerance);
+                close(
+                    power_of_one_minus(x, (n * 4294967296.0) as u64),
+                    expected,
+                    tolerance,
+                );
             }
         }
     }

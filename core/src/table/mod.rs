@@ -1,8 +1,10 @@
 //! How a curve is stored and read.
 
 mod cosine_curve;
+mod cosine_power;
 pub(crate) mod integer;
 mod uniform;
 
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
+pub use cosine_power::CosinePowerTable;
 pub use uniform::UniformTable;

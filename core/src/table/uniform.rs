@@ -1,6 +1,6 @@
 //! A curve in cells of equal width, read with linear interpolation.
 
-use super::integer::{ONE, power_of_one_minus, round_to, exp_neg, times};
+use super::integer::{ONE, exp_neg, power_of_one_minus, round_to, times};
 
 /// Bits of the position within a cell.
 const FRACTION_BITS: u32 = 16;
@@ -39,7 +39,11 @@ impl<const CELLS: usize> UniformTable<CELLS> {
     /// fraction bits; `s` has 32 fraction bits. Beyond m = 2 it is 0.
     pub(crate) const fn exponential(s: u64, m_bits: u32) -> Self {
         // Lengths within 2⁻¹⁴ of 1 take m a little past 2: cover it.
-        Self::build(Curve::Exponential(s), m_bits, (2 << m_bits) + (1 << (m_bits - 10)))
+        Self::build(
+            Curve::Exponential(s),
+            m_bits,
+            (2 << m_bits) + (1 << (m_bits - 10)),
+        )
     }
 
     const fn build(curve: Curve, bits: u32, domain: u64) -> Self {
@@ -62,13 +66,21 @@ impl<const CELLS: usize> UniformTable<CELLS> {
             let middle = curve.at(left + half, bits);
             let sag = ((value + next) / 2).saturating_sub(middle);
             // The peak stays exact.
-            let lowered = if i == 0 { value } else { value.saturating_sub((sag_before + sag) / 4) };
+            let lowered = if i == 0 {
+                value
+            } else {
+                value.saturating_sub((sag_before + sag) / 4)
+            };
             starts[i] = round_to(lowered, ENTRY_BITS);
             sag_before = sag;
             value = next;
             i += 1;
         }
-        Self { starts, end: round_to(value, ENTRY_BITS), shift }
+        Self {
+            starts,
+            end: round_to(value, ENTRY_BITS),
+            shift,
+        }
     }
 
     /// The curve's value at `coordinate`, with 31 fraction bits; 0 beyond the
@@ -77,7 +89,9 @@ impl<const CELLS: usize> UniformTable<CELLS> {
     pub(crate) fn at(&self, coordinate: u64) -> u32 {
         let position = coordinate >> (self.shift - FRACTION_BITS);
         let cell = (position >> FRACTION_BITS) as usize;
-        let Some(&left) = self.starts.get(cell) else { return 0 };
+        let Some(&left) = self.starts.get(cell) else {
+            return 0;
+        };
         let right = *self.starts.get(cell + 1).unwrap_or(&self.end);
         let fraction = (position & ((1 << FRACTION_BITS) - 1)) as i64;
         let rise = (i64::from(right) - i64::from(left)) * fraction;

@@ -1,0 +1,117 @@
+//! How numbers are represented and computed.
+//!
+//! The trait abstracts the steps of a reflectance model, not operators: in
+//! fixed point the binary point moves at every product, so that no number
+//! type could carry a model's formula. Each step says which quantity it takes
+//! and gives; its implementor chooses bits and rounding.
+
+mod f32;
+pub(crate) mod q31;
+
+pub use self::f32::F32;
+pub use q31::{Gain31, Q31};
+
+use core::fmt::Debug;
+
+use crate::colour::Rgb;
+use crate::geometry::Direction;
+use crate::shade::Linear;
+use crate::table::CosineCurve;
+
+/// The steps of which every model of this crate is made, in one way to
+/// compute. Implemented by zero-sized markers.
+pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
+    /// Name on command lines and on the wire.
+    const NAME: &'static str;
+
+    /// Coordinate of a direction, or a cosine; holds −1 … 1.
+    type Component: Copy + Debug + PartialEq + PartialOrd;
+    /// Sum or difference of two components, −2 … 2.
+    type Offset: Copy;
+    /// Squared distance of two directions or of their projections, 0 … 4.
+    type Separation: Copy + PartialOrd;
+    /// 1 − cosine of the angle between two directions, 0 … 2.
+    type Versine: Copy;
+    /// A share, 0 … 1: lobe, ratio of cosines, reflectance. Holds numbers
+    /// just below 2, because the red of a spectral metal can pass 1.
+    type Unit: Copy + Debug + PartialEq + PartialOrd;
+    /// Peak of a BRDF over the share, in sr⁻¹.
+    type Scale: Copy + Debug + PartialEq;
+    /// Reflected radiance for unit normal irradiance.
+    type Radiance: Copy + Debug + PartialEq;
+    /// BRDF value in sr⁻¹, without the cosine.
+    type Value: Copy + Debug + PartialEq;
+    /// Exposed light per unit of share: the K of out = clamp(K·ρ, 0, 1).
+    type Gain: Copy + Debug + PartialEq;
+    /// Exposed linear light that is still being summed.
+    type Light: Copy + Debug + Default;
+    /// A stored lobe cosⁿα.
+    type Power: Copy + Debug + PartialEq;
+    /// A stored profile ξ(m).
+    type Profile: Copy + Debug + PartialEq;
+    /// A stored power c^(1−p) of a cosine.
+    type CosinePower: Copy + Debug + PartialEq;
+
+    /// The cosine 0.
+    const COSINE_ZERO: Self::Component;
+    /// The share 0.
+    const ZERO: Self::Unit;
+    /// The share 1.
+    const ONE: Self::Unit;
+
+    /// Cosine of the angle between two directions.
+    fn dot(a: &Direction<Self>, b: &Direction<Self>) -> Self::Component;
+    /// a + b.
+    fn sum(a: Self::Component, b: Self::Component) -> Self::Offset;
+    /// a − b.
+    fn difference(a: Self::Component, b: Self::Component) -> Self::Offset;
+    /// One coordinate of L + V without its part along the normal:
+    /// l + v − (N·L + N·V)·n.
+    fn tangential(
+        n: Self::Component,
+        l: Self::Component,
+        v: Self::Component,
+        cosines: (Self::Component, Self::Component),
+    ) -> Self::Offset;
+    /// Sum of squares.
+    fn square<const N: usize>(offsets: [Self::Offset; N]) -> Self::Separation;
+    /// The versine of two directions whose difference has that square.
+    fn half(square: Self::Separation) -> Self::Versine;
+
+    /// cosⁿα = (1 − x)ⁿ; 0 for x ≥ 1.
+    fn power(stored: &Self::Power, x: Self::Versine) -> Self::Unit;
+    /// ξ(m) for m².
+    fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
+    /// c^(1−p) for a cosine c ≥ 0.
+    fn cosine_power(stored: &Self::CosinePower, cosine: Self::Component) -> Self::Unit;
+    /// cosΘL / max(cosΘL, cosΘV) for cosines that are not negative: exactly 1
+    /// where the first is the larger; 0 where it is 0.
+    fn ratio(n_dot_l: Self::Component, n_dot_v: Self::Component) -> Self::Unit;
+    /// A cosine that is not negative, as a share.
+    fn cosine(cosine: Self::Component) -> Self::Unit;
+    /// A curve over a cosine.
+    fn curve(curve: &CosineCurve, cosine: Self::Component) -> Rgb<Self::Unit>;
+    /// a · b.
+    fn product(a: Self::Unit, b: Self::Unit) -> Self::Unit;
+    /// a + b.
+    fn total(a: Self::Unit, b: Self::Unit) -> Self::Unit;
+
+    /// peak · share.
+    fn radiance(peak: Self::Scale, share: Self::Unit) -> Self::Radiance;
+    /// a + b, at most the greatest value that the type holds.
+    fn add_radiances(a: Self::Radiance, b: Self::Radiance) -> Self::Radiance;
+    /// peak · share, as a BRDF value.
+    fn value(peak: Self::Scale, share: Self::Unit) -> Self::Value;
+    /// peak · share / cosine; at most the greatest value that the type holds,
+    /// which is what a cosine of 0 gets unless the share is 0, too.
+    fn value_over(peak: Self::Scale, share: Self::Unit, cosine: Self::Component) -> Self::Value;
+    /// a + b, at most the greatest value that the type holds.
+    fn add_values(a: Self::Value, b: Self::Value) -> Self::Value;
+
+    /// K · ρ, not yet clamped to 1.
+    fn expose(gain: Self::Gain, share: Self::Unit) -> Self::Light;
+    /// a + b, saturating.
+    fn add_light(a: Self::Light, b: Self::Light) -> Self::Light;
+    /// The clamped pixel.
+    fn linear(light: Rgb<Self::Light>) -> Linear;
+}

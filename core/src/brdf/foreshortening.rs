@@ -1,0 +1,106 @@
+//! What a lobe is divided by.
+
+use fixed::types::U0F32;
+
+use super::larger;
+use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::error::ParameterError;
+use crate::table::CosinePowerTable;
+
+/// Division by cosᵖΘmin (3.12), and the bounded ratio that a shader needs in
+/// its place: forming it first keeps every intermediate within [0, 1].
+pub trait Foreshortening<A: Arithmetic> {
+    /// cosΘL / cosᵖΘmin, in [0, 1], for cosines that are not negative.
+    fn ratio(&self, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit;
+
+    /// peak · shape / cosᵖΘmin for cosΘmin ≥ 0.
+    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value;
+}
+
+/// p = 0: no division. Reciprocal Phong, the patches, Lambert.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Flat;
+
+impl<A: Arithmetic> Foreshortening<A> for Flat {
+    #[inline]
+    fn ratio(&self, n_dot_l: A::Component, _: A::Component) -> A::Unit {
+        A::cosine(n_dot_l)
+    }
+
+    #[inline]
+    fn value(&self, peak: A::Scale, shape: A::Unit, _: A::Component) -> A::Value {
+        A::value(peak, shape)
+    }
+}
+
+/// p = 1: the metallic model's division by cosΘmin (3.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Metallic;
+
+impl<A: Arithmetic> Foreshortening<A> for Metallic {
+    #[inline]
+    fn ratio(&self, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
+        A::ratio(n_dot_l, n_dot_v)
+    }
+
+    #[inline]
+    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value {
+        A::value_over(peak, shape, cos_min)
+    }
+}
+
+/// 0 < p < 1: the p-model's transition between the two (3.12).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerModel<A: Arithmetic> {
+    /// c^(1−p).
+    rest: A::CosinePower,
+}
+
+impl PowerModel<F32> {
+    /// Division by cosᵖΘmin, `p` in [0, 1].
+    ///
+    /// # Errors
+    /// `p` outside [0, 1] or not a number.
+    pub const fn new(p: f32) -> Result<Self, ParameterError> {
+        if p >= 0.0 && p <= 1.0 {
+            Ok(Self { rest: 1.0 - p })
+        } else {
+            Err(P_RANGE)
+        }
+    }
+}
+
+impl<const CELLS: usize> PowerModel<Q31<CELLS>> {
+    /// Division by cosᵖΘmin, `p` in (0, 1); for the ends there are [`Flat`]
+    /// and [`Metallic`].
+    ///
+    /// # Errors
+    /// `p` = 0.
+    pub const fn new(p: U0F32) -> Result<Self, ParameterError> {
+        if p.to_bits() == 0 {
+            return Err(P_RANGE);
+        }
+        Ok(Self {
+            rest: CosinePowerTable::new((1 << 32) - p.to_bits() as u64),
+        })
+    }
+}
+
+const P_RANGE: ParameterError = ParameterError::new("p", "a number from 0 to 1");
+
+impl<A: Arithmetic> Foreshortening<A> for PowerModel<A> {
+    #[inline]
+    fn ratio(&self, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
+        let rest = A::cosine_power(&self.rest, larger::<A>(n_dot_l, n_dot_v));
+        A::product(A::ratio(n_dot_l, n_dot_v), rest)
+    }
+
+    #[inline]
+    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value {
+        if cos_min == A::COSINE_ZERO {
+            return A::value_over(peak, shape, cos_min);
+        }
+        let rest = A::cosine_power(&self.rest, cos_min);
+        A::value_over(peak, A::product(shape, rest), cos_min)
+    }
+}

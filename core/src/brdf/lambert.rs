@@ -1,0 +1,94 @@
+//! Lambert's law: a constant BRDF (1.26).
+
+use fixed::types::{U1F31, U32F32};
+
+use super::Shape;
+use super::foreshortening::Flat;
+use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::colour::Rgb;
+use crate::error::ParameterError;
+use crate::geometry::Geometry;
+use crate::table::integer::INVERSE_PI;
+
+/// f = a/π for an albedo a of red, green and blue. The peak is the greatest
+/// channel's a/π.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lambert<A: Arithmetic> {
+    pub(super) peak: A::Scale,
+    tint: Rgb<A::Unit>,
+}
+
+const ALBEDO_RANGE: ParameterError = ParameterError::new("albedo", "a number from 0 to 1");
+
+impl Lambert<F32> {
+    /// The diffuser with an albedo in [0, 1] per channel.
+    ///
+    /// # Errors
+    /// An albedo outside its range or not a number.
+    pub const fn new(albedo: Rgb<f32>) -> Result<Self, ParameterError> {
+        let Rgb { r, g, b } = albedo;
+        if !(r >= 0.0 && r <= 1.0 && g >= 0.0 && g <= 1.0 && b >= 0.0 && b <= 1.0) {
+            return Err(ALBEDO_RANGE);
+        }
+        let greatest = r.max(g).max(b);
+        let divisor = if greatest > 0.0 { greatest } else { 1.0 };
+        let tint = Rgb {
+            r: r / divisor,
+            g: g / divisor,
+            b: b / divisor,
+        };
+        Ok(Self {
+            peak: greatest * core::f32::consts::FRAC_1_PI,
+            tint,
+        })
+    }
+}
+
+impl<const CELLS: usize> Lambert<Q31<CELLS>> {
+    /// The diffuser with an albedo in [0, 1] per channel.
+    ///
+    /// # Errors
+    /// An albedo above 1.
+    pub const fn new(albedo: Rgb<U1F31>) -> Result<Self, ParameterError> {
+        let [r, g, b] = [
+            albedo.r.to_bits() as u64,
+            albedo.g.to_bits() as u64,
+            albedo.b.to_bits() as u64,
+        ];
+        let mut greatest = if r > g { r } else { g };
+        if b > greatest {
+            greatest = b;
+        }
+        if greatest > 1 << 31 {
+            return Err(ALBEDO_RANGE);
+        }
+        let divisor = if greatest > 0 { greatest } else { 1 };
+        let tint = Rgb {
+            r: U1F31::from_bits(((r << 31) / divisor) as u32),
+            g: U1F31::from_bits(((g << 31) / divisor) as u32),
+            b: U1F31::from_bits(((b << 31) / divisor) as u32),
+        };
+        let peak = U32F32::from_bits(((greatest as u128 * INVERSE_PI) >> 63) as u64);
+        Ok(Self { peak, tint })
+    }
+}
+
+impl<A: Arithmetic> Shape for Lambert<A> {
+    type Arithmetic = A;
+    type Foreshortening = Flat;
+
+    #[inline]
+    fn peak(&self) -> A::Scale {
+        self.peak
+    }
+
+    #[inline]
+    fn foreshortening(&self) -> &Flat {
+        &Flat
+    }
+
+    #[inline]
+    fn shape(&self, _: &impl Geometry<A>) -> Rgb<A::Unit> {
+        self.tint
+    }
+}

@@ -1,0 +1,55 @@
+//! Metals: cosⁿα / g(Θmin) (3.29).
+
+use super::foreshortening::Metallic;
+use super::phong::MetallicPhong;
+use super::{Shape, larger};
+use crate::arithmetic::Arithmetic;
+use crate::colour::Rgb;
+use crate::geometry::Geometry;
+use crate::table::CosineCurve;
+
+/// f = cosⁿα / g(Θmin) = c_n · F(Θmin) · cosⁿα / cosΘmin (3.29), with
+/// Fresnel's factor F tabulated for red, green and blue.
+///
+/// 1/g is unbounded at grazing, so cosΘmin/g = c_n·F is what is stored, and
+/// the ratio of cosines is formed apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metal<A: Arithmetic> {
+    lobe: MetallicPhong<A>,
+    fresnel: CosineCurve,
+}
+
+impl<A: Arithmetic> Metal<A> {
+    /// The lobe of `lobe`, coloured by `fresnel`, the reflectance over
+    /// cosΘmin.
+    #[must_use]
+    pub const fn new(lobe: MetallicPhong<A>, fresnel: CosineCurve) -> Self {
+        Self { lobe, fresnel }
+    }
+}
+
+impl<A: Arithmetic> Shape for Metal<A> {
+    type Arithmetic = A;
+    type Foreshortening = Metallic;
+
+    #[inline]
+    fn peak(&self) -> A::Scale {
+        Shape::peak(&self.lobe)
+    }
+
+    #[inline]
+    fn foreshortening(&self) -> &Metallic {
+        self.lobe.foreshortening()
+    }
+
+    #[inline]
+    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+        let lobe = self.lobe.shape(geometry);
+        if lobe.r == A::ZERO {
+            return lobe;
+        }
+        let (n_dot_l, n_dot_v) = geometry.cosines();
+        let fresnel = A::curve(&self.fresnel, larger::<A>(n_dot_l, n_dot_v));
+        fresnel.map(|reflectance| A::product(reflectance, lobe.r))
+    }
+}

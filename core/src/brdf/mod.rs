@@ -1,0 +1,139 @@
+//! The reflectance models, one file each.
+//!
+//! A model is a peak c, a shape in [0, 1] (a lobe, perhaps with Fresnel's
+//! factor) and a foreshortening: what the shape is divided by. The formulas
+//! that join them stand in this file, once, for every model and arithmetic:
+//!
+//! * BRDF: f(L, V) = c · shape / cosᵖΘmin, in sr⁻¹, without the cosine;
+//! * reflected radiance for unit normal irradiance: f · cosΘL = c · ρ, with
+//!   the share ρ = shape · cosΘL / cosᵖΘmin, bounded by the shape for p ≤ 1.
+
+mod foreshortening;
+mod lambert;
+mod metal;
+mod patch;
+mod patch_exponential;
+mod phong;
+mod plastic;
+
+pub use foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
+pub use lambert::Lambert;
+pub use metal::Metal;
+pub use patch::Patch;
+pub use patch_exponential::PatchExponential;
+pub use phong::{Axis, MetallicPhong, Mirror, PModel, Phong, PhongLobe, Retro, RetroPhong};
+pub use plastic::Plastic;
+
+use crate::arithmetic::Arithmetic;
+use crate::colour::Rgb;
+use crate::geometry::Geometry;
+
+/// A reflectance model in one arithmetic.
+///
+/// Below the horizon (a negative cosine) every result is 0. Where both
+/// cosines are 0 the reflected radiance is 0, and the BRDF takes the greatest
+/// value that its type holds, unless the shape is 0.
+pub trait Brdf<A: Arithmetic> {
+    /// The peak c in sr⁻¹: reflected radiance is c · ρ.
+    fn peak(&self) -> A::Scale;
+
+    /// The share ρ of the peak, per channel, in [0, 1] but for the red of
+    /// metals outside the gamut.
+    fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit>;
+
+    /// f(L, V) in sr⁻¹.
+    fn brdf(&self, geometry: &impl Geometry<A>) -> Rgb<A::Value>;
+
+    /// Reflected radiance f(L, V)·cosΘL for unit normal irradiance, in sr⁻¹:
+    /// at most the peak.
+    #[inline]
+    fn reflect(&self, geometry: &impl Geometry<A>) -> Rgb<A::Radiance> {
+        let peak = self.peak();
+        self.share(geometry).map(|share| A::radiance(peak, share))
+    }
+
+    /// Exposed light K·ρ for a gain K per channel, not yet clamped to 1.
+    #[inline]
+    fn shade(&self, gain: &Rgb<A::Gain>, geometry: &impl Geometry<A>) -> Rgb<A::Light> {
+        gain.zip(self.share(geometry), A::expose)
+    }
+}
+
+/// A model that is a peak, a shape and a foreshortening.
+pub trait Shape {
+    /// How it is computed.
+    type Arithmetic: Arithmetic;
+    /// What divides the shape.
+    type Foreshortening: Foreshortening<Self::Arithmetic>;
+
+    /// The peak in sr⁻¹.
+    fn peak(&self) -> <Self::Arithmetic as Arithmetic>::Scale;
+
+    /// What divides the shape.
+    fn foreshortening(&self) -> &Self::Foreshortening;
+
+    /// The shape in [0, 1], per channel, above the horizon.
+    fn shape(
+        &self,
+        geometry: &impl Geometry<Self::Arithmetic>,
+    ) -> Rgb<<Self::Arithmetic as Arithmetic>::Unit>;
+}
+
+impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
+    #[inline]
+    fn peak(&self) -> A::Scale {
+        Shape::peak(self)
+    }
+
+    #[inline]
+    fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+        let (n_dot_l, n_dot_v) = geometry.cosines();
+        if !above_horizon::<A>(n_dot_l, n_dot_v) {
+            return Rgb::grey(A::ZERO);
+        }
+        let shape = self.shape(geometry);
+        // Most directions lie outside a narrow lobe: spare them the division.
+        if shape == Rgb::grey(A::ZERO) {
+            return shape;
+        }
+        let ratio = self.foreshortening().ratio(n_dot_l, n_dot_v);
+        shape.map(|shape| A::product(shape, ratio))
+    }
+
+    #[inline]
+    fn brdf(&self, geometry: &impl Geometry<A>) -> Rgb<A::Value> {
+        tinted_brdf(self, Rgb::grey(A::ONE), geometry)
+    }
+}
+
+/// The BRDF of a shape, times a tint.
+#[inline]
+fn tinted_brdf<A: Arithmetic>(
+    model: &impl Shape<Arithmetic = A>,
+    tint: Rgb<A::Unit>,
+    geometry: &impl Geometry<A>,
+) -> Rgb<A::Value> {
+    let (n_dot_l, n_dot_v) = geometry.cosines();
+    let peak = model.peak();
+    if !above_horizon::<A>(n_dot_l, n_dot_v) {
+        return Rgb::grey(A::value(peak, A::ZERO));
+    }
+    let larger = larger::<A>(n_dot_l, n_dot_v);
+    tint.zip(model.shape(geometry), |tint, shape| {
+        model
+            .foreshortening()
+            .value(peak, A::product(tint, shape), larger)
+    })
+}
+
+/// Whether neither cosine is negative, nor anything but a number.
+#[inline]
+pub(crate) fn above_horizon<A: Arithmetic>(n_dot_l: A::Component, n_dot_v: A::Component) -> bool {
+    n_dot_l >= A::COSINE_ZERO && n_dot_v >= A::COSINE_ZERO
+}
+
+/// cosΘmin: the larger cosine belongs to the smaller angle (3.4).
+#[inline]
+pub(crate) fn larger<A: Arithmetic>(n_dot_l: A::Component, n_dot_v: A::Component) -> A::Component {
+    if n_dot_l >= n_dot_v { n_dot_l } else { n_dot_v }
+}

@@ -1,0 +1,87 @@
+//! The basic patch BRDF (4.2).
+
+use fixed::types::{U2F30, U32F32};
+
+use super::Shape;
+use super::foreshortening::Flat;
+use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::colour::Rgb;
+use crate::error::ParameterError;
+use crate::geometry::Geometry;
+use crate::table::integer::INVERSE_PI;
+
+/// f = 1/(π·min(1, R²)) where m ≤ R, else 0 (4.2, 4.7): constant inside a
+/// disc of radius R about the mirrored light direction, both projected onto
+/// the base plane.
+///
+/// R = 2 covers every direction: it is Lambert's law. The jump at m = R is
+/// decided exactly in `q31` for the directions given; in `f32` to 1e-7 of m².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Patch<A: Arithmetic> {
+    radius_squared: A::Separation,
+    peak: A::Scale,
+}
+
+const RADIUS_RANGE: ParameterError = ParameterError::new("radius", "a number from 1e-4 to 2");
+
+impl Patch<F32> {
+    /// The disc of radius `radius`, from 1e-4 to 2.
+    ///
+    /// # Errors
+    /// `radius` outside its range or not a number.
+    pub const fn new(radius: f32) -> Result<Self, ParameterError> {
+        if !(radius >= 1e-4 && radius <= 2.0) {
+            return Err(RADIUS_RANGE);
+        }
+        let square = radius * radius;
+        let peak = core::f32::consts::FRAC_1_PI / square.min(1.0);
+        let radius_squared = if radius == 2.0 { f32::MAX } else { square };
+        Ok(Self {
+            radius_squared,
+            peak,
+        })
+    }
+}
+
+impl<const CELLS: usize> Patch<Q31<CELLS>> {
+    /// The disc of radius `radius`, from 1e-4 to 2.
+    ///
+    /// # Errors
+    /// `radius` outside its range.
+    pub const fn new(radius: U2F30) -> Result<Self, ParameterError> {
+        let bits = radius.to_bits() as u64;
+        // 1e-4 with 30 fraction bits is 107374.18.
+        if bits < 107_374 || bits > 2 << 30 {
+            return Err(RADIUS_RANGE);
+        }
+        let square = bits * bits;
+        let divisor = if square < 1 << 60 { square } else { 1 << 60 };
+        let peak = U32F32::from_bits((((INVERSE_PI << 60) / divisor as u128) >> 32) as u64);
+        let radius_squared = if bits == 2 << 30 { u64::MAX } else { square };
+        Ok(Self {
+            radius_squared,
+            peak,
+        })
+    }
+}
+
+impl<A: Arithmetic> Shape for Patch<A> {
+    type Arithmetic = A;
+    type Foreshortening = Flat;
+
+    #[inline]
+    fn peak(&self) -> A::Scale {
+        self.peak
+    }
+
+    #[inline]
+    fn foreshortening(&self) -> &Flat {
+        &Flat
+    }
+
+    #[inline]
+    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+        let inside = geometry.separation() <= self.radius_squared;
+        Rgb::grey(if inside { A::ONE } else { A::ZERO })
+    }
+}

@@ -1,0 +1,199 @@
+//! cosⁿα lobes: metallic Phong (3.7), reciprocal Phong (3.5), the p-model
+//! (3.12) and their retro-reflective forms (3.13).
+
+use core::marker::PhantomData;
+
+use fixed::types::U32F32;
+
+use super::Shape;
+use super::foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
+use crate::arithmetic::q31::VERSINE_BITS;
+use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::colour::Rgb;
+use crate::error::ParameterError;
+use crate::geometry::Geometry;
+use crate::table::UniformTable;
+use crate::table::integer::INVERSE_PI;
+
+/// f = c_n · cosⁿα / cosᵖΘmin, c_n = (n + 2)/2π (3.6), where α is the angle
+/// between V and the axis `X` of the lobe, and `P` the foreshortening.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhongLobe<A: Arithmetic, X, P> {
+    power: A::Power,
+    pub(super) peak: A::Scale,
+    foreshortening: P,
+    axis: PhantomData<X>,
+}
+
+/// The metallic Phong model (3.7): f = c_n · cosⁿα / cosΘmin.
+///
+/// Tends to the ideal mirror for n → ∞; its albedo at grazing is
+/// (n+2)/(2n+2) (3.27). With c_n as published the albedo passes 1 for n < 2:
+/// by 2.9e-4 at n = 1, by 8.6e-2 at n = 0 ([`PhongLobe::with_peak`] mends
+/// it).
+///
+/// In `f32` the sRGB code of the share is within 0.55 LSB of the exact one
+/// for any n to 1e8, in `q31` within 0.60 LSB for n from 1 to 1e5; tested in
+/// `tests/tests/accuracy.rs`.
+///
+/// ```
+/// use microbrdf::arithmetic::F32;
+/// use microbrdf::brdf::{Brdf, MetallicPhong};
+/// use microbrdf::geometry::{Direction, ShadingFrame};
+///
+/// let silver = MetallicPhong::<F32>::new(60.0)?;
+/// let l = Direction::new(0.6, 0.0, 0.8);
+/// let mirror = Direction::new(-0.6, 0.0, 0.8);
+/// let f = silver.brdf(&ShadingFrame::new(l, mirror)).r;
+/// assert!((f - 62.0 / core::f32::consts::TAU / 0.8).abs() < 1e-5);
+/// # Ok::<(), microbrdf::ParameterError>(())
+/// ```
+pub type MetallicPhong<A> = PhongLobe<A, Mirror, Metallic>;
+
+/// Reciprocal Phong (3.5): f = c_n · cosⁿα. Darkens at grazing.
+pub type Phong<A> = PhongLobe<A, Mirror, Flat>;
+
+/// The p-model (3.12), 0 < p < 1, between [`Phong`] and [`MetallicPhong`].
+pub type PModel<A> = PhongLobe<A, Mirror, PowerModel<A>>;
+
+/// Retro-reflective metallic Phong (3.13): the lobe points back to the light.
+pub type RetroPhong<A> = PhongLobe<A, Retro, Metallic>;
+
+/// Where a lobe points.
+pub trait Axis {
+    /// 1 − cos α.
+    fn versine<A: Arithmetic>(geometry: &impl Geometry<A>) -> A::Versine;
+}
+
+/// To R, the light direction mirrored at the normal (3.8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mirror;
+
+impl Axis for Mirror {
+    #[inline]
+    fn versine<A: Arithmetic>(geometry: &impl Geometry<A>) -> A::Versine {
+        geometry.versine()
+    }
+}
+
+/// Back to the light (3.13).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Retro;
+
+impl Axis for Retro {
+    #[inline]
+    fn versine<A: Arithmetic>(geometry: &impl Geometry<A>) -> A::Versine {
+        geometry.retro_versine()
+    }
+}
+
+impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> PhongLobe<A, X, P> {
+    /// The same with another peak in sr⁻¹. For n < 2 the published constant
+    /// divided by the greatest albedo conserves energy strictly.
+    #[must_use]
+    pub fn with_peak(self, peak: A::Scale) -> Self {
+        Self { peak, ..self }
+    }
+}
+
+impl<X: Axis, P: Foreshortening<F32>> PhongLobe<F32, X, P> {
+    /// The lobe with exponent `n` from 0 to 1e8 and a foreshortening.
+    ///
+    /// # Errors
+    /// `n` outside its range or not a number.
+    pub const fn with_foreshortening(n: f32, foreshortening: P) -> Result<Self, ParameterError>
+    where
+        P: Copy,
+    {
+        if !(n >= 0.0 && n <= 1e8) {
+            return Err(ParameterError::new("exponent", "a number from 0 to 1e8"));
+        }
+        let peak = (n + 2.0) / core::f32::consts::TAU;
+        Ok(Self {
+            power: n,
+            peak,
+            foreshortening,
+            axis: PhantomData,
+        })
+    }
+}
+
+impl<const CELLS: usize, X: Axis, P: Foreshortening<Q31<CELLS>>> PhongLobe<Q31<CELLS>, X, P> {
+    /// The lobe with exponent `n`, 0 or from 1 to 1e8, and a foreshortening.
+    /// Between 0 and 1 the slope at α = 90° is infinite, which no table of
+    /// even cells holds.
+    ///
+    /// # Errors
+    /// `n` outside its range.
+    pub const fn with_foreshortening(n: U32F32, foreshortening: P) -> Result<Self, ParameterError>
+    where
+        P: Copy,
+    {
+        let bits = n.to_bits();
+        if bits > 100_000_000 << 32 || (bits > 0 && bits < 1 << 32) {
+            return Err(ParameterError::new(
+                "exponent",
+                "0 or a number from 1 to 1e8",
+            ));
+        }
+        let peak = U32F32::from_bits(lobe_peak(bits));
+        let power = UniformTable::power(bits, VERSINE_BITS);
+        Ok(Self {
+            power,
+            peak,
+            foreshortening,
+            axis: PhantomData,
+        })
+    }
+}
+
+/// (n + 2)/2π (3.6), 32 fraction bits in and out.
+pub(super) const fn lobe_peak(n: u64) -> u64 {
+    (((n + (2 << 32)) as u128 * INVERSE_PI) >> 65) as u64
+}
+
+macro_rules! plain_constructors {
+    ($($foreshortening:ident),*) => {$(
+        impl<X: Axis> PhongLobe<F32, X, $foreshortening> {
+            /// The lobe with exponent `n` from 0 to 1e8.
+            ///
+            /// # Errors
+            /// `n` outside its range or not a number.
+            pub const fn new(n: f32) -> Result<Self, ParameterError> {
+                Self::with_foreshortening(n, $foreshortening)
+            }
+        }
+
+        impl<const CELLS: usize, X: Axis> PhongLobe<Q31<CELLS>, X, $foreshortening> {
+            /// The lobe with exponent `n`, 0 or from 1 to 1e8.
+            ///
+            /// # Errors
+            /// `n` outside its range.
+            pub const fn new(n: U32F32) -> Result<Self, ParameterError> {
+                Self::with_foreshortening(n, $foreshortening)
+            }
+        }
+    )*};
+}
+
+plain_constructors!(Flat, Metallic);
+
+impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> Shape for PhongLobe<A, X, P> {
+    type Arithmetic = A;
+    type Foreshortening = P;
+
+    #[inline]
+    fn peak(&self) -> A::Scale {
+        self.peak
+    }
+
+    #[inline]
+    fn foreshortening(&self) -> &P {
+        &self.foreshortening
+    }
+
+    #[inline]
+    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+        Rgb::grey(A::power(&self.power, X::versine(geometry)))
+    }
+}

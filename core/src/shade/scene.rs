@@ -1,0 +1,69 @@
+//! A scene, shaded row by row.
+
+use super::{Camera, Linear, Plane, Sphere, Surface, Tracing};
+use crate::geometry::Direction;
+
+/// Everything that a picture is computed from. `S` is the type of its
+/// materials: an enum of all models on a host, of just the scene's own on a
+/// microcontroller; the row function is the same.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a, A: Tracing, S> {
+    /// Where it is seen from.
+    pub camera: Camera<A>,
+    /// Its spheres.
+    pub spheres: &'a [Sphere<A>],
+    /// Its planes.
+    pub planes: &'a [Plane<A>],
+    /// Directions to its lights.
+    pub lights: &'a [Direction<A>],
+    /// Its materials; a shape whose index is past the end is black.
+    pub materials: &'a [S],
+    /// What a ray that meets nothing sees.
+    pub background: Linear,
+}
+
+impl<A: Tracing, S: Surface<A>> Scene<'_, A, S> {
+    /// Shades row `y`, counted from the top, and hands each pixel with its
+    /// column to `sink`, from left to right.
+    #[inline]
+    pub fn shade_row(&self, y: usize, mut sink: impl FnMut(usize, Linear)) {
+        for x in 0..usize::from(self.camera.width) {
+            sink(x, self.shade_pixel(x, y));
+        }
+    }
+
+    /// Shades the pixel in column `x` of row `y`, counted from the top left.
+    #[inline]
+    #[must_use]
+    pub fn shade_pixel(&self, x: usize, y: usize) -> Linear {
+        let d = A::ray(&self.camera, x, y);
+        let Some((normal, material)) = self.first_hit(&d) else {
+            return self.background;
+        };
+        let Some(surface) = self.materials.get(usize::from(material)) else {
+            return Linear::default();
+        };
+        A::linear(surface.light(&normal, &A::reverse(&d), self.lights))
+    }
+
+    /// Normal and material of what the ray meets first.
+    #[inline]
+    fn first_hit(&self, d: &Direction<A>) -> Option<(Direction<A>, u8)> {
+        let spheres = self
+            .spheres
+            .iter()
+            .map(|sphere| (sphere.hit(d), sphere.material));
+        let planes = self
+            .planes
+            .iter()
+            .map(|plane| (plane.hit(d), plane.material));
+        let mut first: Option<(A::Depth, Direction<A>, u8)> = None;
+        for (hit, material) in spheres.chain(planes) {
+            let Some((depth, normal)) = hit else { continue };
+            if first.is_none_or(|(nearest, ..)| depth < nearest) {
+                first = Some((depth, normal, material));
+            }
+        }
+        first.map(|(_, normal, material)| (normal, material))
+    }
+}

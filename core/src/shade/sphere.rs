@@ -1,0 +1,27 @@
+//! Spheres.
+
+use super::Tracing;
+use crate::geometry::Direction;
+
+/// A sphere, seen from outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<A: Tracing> {
+    /// (eye − centre)/radius, each coordinate below 128.
+    pub eye: [A::Length; 3],
+    /// Radius in scene units.
+    pub radius: A::Length,
+    /// Index of its material.
+    pub material: u8,
+}
+
+impl<A: Tracing> Sphere<A> {
+    /// Distance and normal where the ray `d` enters.
+    #[inline]
+    pub(crate) fn hit(&self, d: &Direction<A>) -> Option<(A::Depth, Direction<A>)> {
+        let along = A::along(&self.eye, d);
+        let nearest = A::nearest(&self.eye, d, along)?;
+        let half = A::half_chord(&nearest)?;
+        let depth = A::sphere_depth(self.radius, along, half)?;
+        Some((depth, A::entry(&nearest, half, d)))
+    }
+}
