@@ -78,7 +78,7 @@ impl<A: Arithmetic> Shape for Lambert<A> {
     type Foreshortening = Flat;
 
     #[inline]
-    fn peak(&self) -> A::Scale {
+    fn amplitude(&self) -> A::Scale {
         self.peak
     }
 

@@ -33,8 +33,8 @@ impl<A: Arithmetic> Shape for Metal<A> {
     type Foreshortening = Metallic;
 
     #[inline]
-    fn peak(&self) -> A::Scale {
-        Shape::peak(&self.lobe)
+    fn amplitude(&self) -> A::Scale {
+        self.lobe.amplitude()
     }
 
     #[inline]

@@ -67,7 +67,7 @@ pub trait Shape {
     type Foreshortening: Foreshortening<Self::Arithmetic>;
 
     /// The peak in sr⁻¹.
-    fn peak(&self) -> <Self::Arithmetic as Arithmetic>::Scale;
+    fn amplitude(&self) -> <Self::Arithmetic as Arithmetic>::Scale;
 
     /// What divides the shape.
     fn foreshortening(&self) -> &Self::Foreshortening;
@@ -82,7 +82,7 @@ pub trait Shape {
 impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
     #[inline]
     fn peak(&self) -> A::Scale {
-        Shape::peak(self)
+        self.amplitude()
     }
 
     #[inline]
@@ -114,7 +114,7 @@ fn tinted_brdf<A: Arithmetic>(
     geometry: &impl Geometry<A>,
 ) -> Rgb<A::Value> {
     let (n_dot_l, n_dot_v) = geometry.cosines();
-    let peak = model.peak();
+    let peak = model.amplitude();
     if !above_horizon::<A>(n_dot_l, n_dot_v) {
         return Rgb::grey(A::value(peak, A::ZERO));
     }

@@ -70,7 +70,7 @@ impl<A: Arithmetic> Shape for Patch<A> {
     type Foreshortening = Flat;
 
     #[inline]
-    fn peak(&self) -> A::Scale {
+    fn amplitude(&self) -> A::Scale {
         self.peak
     }
 

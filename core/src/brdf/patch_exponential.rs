@@ -28,8 +28,10 @@ impl PatchExponential<F32> {
     ///
     /// # Errors
     /// `s` outside its range or not a number.
-    pub fn new(s: f32) -> Result<Self, ParameterError> {
-        if !(0.0..=4096.0).contains(&s) {
+    // `contains` is not a `const fn`.
+    #[allow(clippy::manual_range_contains)]
+    pub const fn new(s: f32) -> Result<Self, ParameterError> {
+        if !(s >= 0.0 && s <= 4096.0) {
             return Err(SHARPNESS_RANGE);
         }
         // The peak from the integer formula: it has no 0/0 at small s.
@@ -96,7 +98,7 @@ impl<A: Arithmetic> Shape for PatchExponential<A> {
     type Foreshortening = Flat;
 
     #[inline]
-    fn peak(&self) -> A::Scale {
+    fn amplitude(&self) -> A::Scale {
         self.peak
     }
 

@@ -183,7 +183,7 @@ impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> Shape for PhongLobe<A, X, P> 
     type Foreshortening = P;
 
     #[inline]
-    fn peak(&self) -> A::Scale {
+    fn amplitude(&self) -> A::Scale {
         self.peak
     }
 

@@ -153,7 +153,7 @@ impl<A: Arithmetic> Brdf<A> for Plastic<A> {
 
     #[inline]
     fn reflect(&self, geometry: &impl Geometry<A>) -> Rgb<A::Radiance> {
-        let peak = Shape::peak(&self.highlight);
+        let peak = self.highlight.amplitude();
         let highlight = self
             .highlight_share(geometry)
             .map(|share| A::radiance(peak, share));
