@@ -1,8 +1,15 @@
 //! The command line.
 
-use clap::{Arg, ArgAction, ArgMatches, Command, builder::PossibleValuesParser};
+use std::path::PathBuf;
 
-use crate::board::{ARITHMETICS, BOARDS};
+use clap::builder::PossibleValuesParser;
+use clap::parser::ValueSource;
+use clap::{Arg, ArgAction, ArgMatches, Command};
+
+use crate::board::{ARITHMETICS, BOARDS, Board};
+use crate::failure::{Failure, Outcome};
+use crate::firmware::Order;
+use crate::layout::Layout;
 use crate::setup::Purpose;
 
 const STATUSES: &str = "Exit status: 0 done; 1 ran, but a result is incomplete or differs; \
@@ -141,6 +148,26 @@ fn yes() -> Arg {
 /// A string option that has a default.
 pub fn text<'a>(matches: &'a ArgMatches, name: &str) -> &'a str {
     matches.get_one::<String>(name).map_or("", String::as_str)
+}
+
+/// A path as the user gave it, or its default below the top of the repository.
+pub fn path(layout: &Layout, matches: &ArgMatches, name: &str) -> Outcome<PathBuf> {
+    let given = text(matches, name);
+    if matches.value_source(name) == Some(ValueSource::DefaultValue) {
+        return Ok(layout.at(given));
+    }
+    std::path::absolute(given).map_err(|e| Failure::mistake(format!("--{name} {given}: {e}")))
+}
+
+/// What `firmware` and `demo` are to build.
+pub fn order(layout: &Layout, matches: &ArgMatches) -> Outcome<Order> {
+    let features = matches.try_get_many::<String>("features").ok().flatten();
+    Ok(Order {
+        board: Board::named(text(matches, "board"))?,
+        scene: path(layout, matches, "scene")?,
+        arithmetic: text(matches, "arithmetic").to_string(),
+        features: features.into_iter().flatten().cloned().collect(),
+    })
 }
 
 /// What `setup --for` names.

@@ -3,17 +3,29 @@
 mod board;
 mod cli;
 mod command;
+mod demo;
 mod failure;
+mod firmware;
+mod host_sim;
 mod layout;
+mod picture;
+mod qemu;
+mod receiver;
+mod report;
 mod setup;
+mod sizes;
 mod toolchain;
 
 use std::process::ExitCode;
 
 use clap::ArgMatches;
 
+use command::Machine;
 use failure::Outcome;
+use firmware::Order;
 use layout::Layout;
+use setup::Purpose;
+use toolchain::Cross;
 
 fn main() -> ExitCode {
     // On a mistake, clap prints it and exits with 2.
@@ -36,6 +48,29 @@ fn run(matches: &ArgMatches) -> Outcome<()> {
             options.get_flag("dry-run"),
             options.get_flag("yes"),
         ),
+        Some(("firmware", options)) => {
+            let order = cli::order(&layout, options)?;
+            let cross = cross(&layout, Purpose::Firmware, &order, options)?;
+            firmware::command(&layout, &cross, &order)
+        }
+        Some(("demo", options)) => {
+            let order = cli::order(&layout, options)?;
+            let out = cli::path(&layout, options, "out")?;
+            let cross = cross(&layout, Purpose::Demo, &order, options)?;
+            demo::command(&layout, &cross, &order, &out)
+        }
         _ => unreachable!("clap requires a subcommand"),
     }
+}
+
+/// Sees to it that this order can be carried out.
+fn cross(layout: &Layout, purpose: Purpose, order: &Order, options: &ArgMatches) -> Outcome<Cross> {
+    firmware::check_scene(&order.scene)?;
+    setup::ensure(
+        layout,
+        &Machine,
+        purpose,
+        &[order.board.target],
+        options.get_flag("yes"),
+    )
 }

@@ -1,0 +1,84 @@
+//! The host simulator, `microbrdf`, built and run through cargo.
+
+use std::ffi::{OsStr, OsString};
+use std::process::{Command, Stdio};
+
+use crate::command;
+use crate::failure::{During, Failure, Outcome};
+use crate::layout::Layout;
+
+/// The command `microbrdf`, in release profile.
+#[derive(Debug)]
+pub struct HostSim<'a> {
+    layout: &'a Layout,
+}
+
+impl<'a> HostSim<'a> {
+    /// Builds it, showing what cargo does where that takes time.
+    pub fn build(layout: &'a Layout) -> Outcome<Self> {
+        let built = cargo(layout, "build")
+            .stdin(Stdio::null())
+            .status()
+            .during(|| "starting cargo".to_string())?;
+        if built.success() {
+            Ok(Self { layout })
+        } else {
+            Err(Failure::incomplete(
+                "the host simulator does not build (see above)",
+            ))
+        }
+    }
+
+    /// `microbrdf ARGUMENTS…`, not yet started.
+    pub fn command<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Command {
+        let mut command = cargo(self.layout, "run");
+        command
+            .args(["--quiet", "--"])
+            .args(arguments)
+            .stdin(Stdio::null());
+        command
+    }
+
+    /// Runs it with its messages shown, and returns its standard output. Its own exit status becomes ours.
+    pub fn run<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Outcome<String> {
+        let arguments: Vec<OsString> = arguments
+            .into_iter()
+            .map(|argument| argument.as_ref().to_os_string())
+            .collect();
+        let name = arguments
+            .first()
+            .map(|name| name.to_string_lossy().into_owned());
+        let name = name.unwrap_or_default();
+        let output = self
+            .command(&arguments)
+            .stderr(Stdio::inherit())
+            .output()
+            .during(|| "starting cargo".to_string())?;
+        if output.status.success() {
+            return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+        }
+        Err(Failure {
+            status: match output.status.code() {
+                Some(status @ 2..=3) => status as u8,
+                _ => 1,
+            },
+            message: format!(
+                "`microbrdf {name}` ended with {} (see above)",
+                output.status
+            ),
+        })
+    }
+}
+
+fn cargo(layout: &Layout, subcommand: &str) -> Command {
+    let mut command = command::host_cargo(layout.root());
+    command.args([
+        subcommand,
+        "--release",
+        "--package",
+        "microbrdf-sim",
+        "--bin",
+        "microbrdf",
+    ]);
+    command
+}
