@@ -1,0 +1,7 @@
+"""``python -m microbrdf_receiver`` is ``microbrdf-receive``."""
+
+import sys
+
+from .cli import main
+
+sys.exit(main())
