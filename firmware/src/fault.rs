@@ -1,0 +1,28 @@
+//! The last thing that a failing device does.
+
+use core::fmt;
+
+use heapless::spsc::Consumer;
+use microbrdf_link::{FaultCode, send_fault};
+
+use crate::uart::{Polled, Uart};
+use embedded_io::Write;
+
+/// Sends what is still queued and then the report of a failure, without interrupts.
+///
+/// `frame` is the number of the frame that ends here. The queue may end in half
+/// a packet, if the failure struck while one was being queued: the report
+/// starts with a delimiter of its own, so the receiver drops only that one.
+pub fn report(
+    uart: &mut impl Uart,
+    queue: &mut Consumer<'_, u8>,
+    frame: u16,
+    code: FaultCode,
+    text: fmt::Arguments<'_>,
+) {
+    let mut line = Polled(uart);
+    while let Some(byte) = queue.dequeue() {
+        let Ok(()) = line.write_all(&[byte]);
+    }
+    let Ok(()) = send_fault(&mut line, frame, code, text);
+}

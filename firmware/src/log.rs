@@ -1,0 +1,19 @@
+//! Log lines, which leave between the rows.
+
+use heapless::Vec;
+use microbrdf_link::MAX_LOG;
+
+/// Where log lines wait: they must not come in the middle of another packet.
+pub trait LogSource {
+    /// Takes out what has gathered since the last call; empty if nothing has.
+    fn take(&mut self) -> Vec<u8, MAX_LOG>;
+}
+
+/// No log.
+pub struct NoLog;
+
+impl LogSource for NoLog {
+    fn take(&mut self) -> Vec<u8, MAX_LOG> {
+        Vec::new()
+    }
+}
