@@ -1,1 +1,27 @@
-//! Scene and material files, and what they become: constants for the core.
+//! Scene and material files, and what they become: the core's constants on a
+//! host, generated Rust for a microcontroller, and the reference's models.
+
+mod bake;
+mod curve;
+mod description;
+mod error;
+pub mod files;
+mod host;
+mod material;
+mod model;
+mod prepare;
+mod reader;
+mod surface;
+
+pub use bake::bake;
+pub use curve::cosine_curve;
+pub use description::{
+    CameraDescription, Description, LightDescription, PlaneDescription, SphereDescription,
+};
+pub use error::SceneError;
+pub use host::HostArithmetic;
+pub use material::{Material, Reflectance};
+pub use model::AnyModel;
+pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel};
+pub use reader::Colour;
+pub use surface::{AnyDaylight, AnySurface, SceneParts};

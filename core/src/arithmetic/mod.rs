@@ -29,7 +29,7 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// Sum or difference of two components, −2 … 2.
     type Offset: Copy;
     /// Squared distance of two directions or of their projections, 0 … 4.
-    type Separation: Copy + PartialOrd;
+    type Separation: Copy + Debug + PartialOrd;
     /// 1 − cosine of the angle between two directions, 0 … 2.
     type Versine: Copy;
     /// A share, 0 … 1: lobe, ratio of cosines, reflectance. Holds numbers

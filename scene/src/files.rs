@@ -1,0 +1,38 @@
+//! Files that a person names.
+
+use std::path::Path;
+
+use crate::error::SceneError;
+
+/// Greatest size of a scene or material file.
+const GREATEST_SIZE: u64 = 16 << 20;
+
+/// Reads a text file.
+///
+/// # Errors
+/// The file is missing, is no readable file, is larger than 16 MiB or is not
+/// UTF-8.
+pub fn read(path: &Path) -> Result<String, SceneError> {
+    let fault = |message: String| SceneError {
+        source_name: path.display().to_string(),
+        place: None,
+        message,
+    };
+    let size = std::fs::metadata(path).map_err(|error| fault(format!("can't be read: {error}")))?;
+    if !size.is_file() {
+        return Err(fault("is not a file".to_owned()));
+    }
+    if size.len() > GREATEST_SIZE {
+        return Err(fault(format!(
+            "has {} bytes: must be at most {GREATEST_SIZE}",
+            size.len()
+        )));
+    }
+    let bytes = std::fs::read(path).map_err(|error| fault(format!("can't be read: {error}")))?;
+    String::from_utf8(bytes).map_err(|error| {
+        fault(format!(
+            "is not UTF-8 text from byte {} on",
+            error.utf8_error().valid_up_to()
+        ))
+    })
+}

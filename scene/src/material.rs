@@ -1,0 +1,226 @@
+//! Material tables.
+
+use microbrdf_reference::{self as reference, MetalName};
+
+use crate::error::{Fault, SceneError};
+use crate::reader::{Colour, Table, list};
+
+/// A material as its table gives it, every value within its range.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Material {
+    /// Lambert's law.
+    Lambert {
+        /// Diffuse albedo.
+        albedo: Colour,
+    },
+    /// A cosⁿα lobe: `phong`, `metallic-phong`, `retro-phong`.
+    Phong {
+        /// n.
+        exponent: f64,
+        /// Exponent of cosΘmin (3.12).
+        p: f64,
+        /// Whether the lobe points back to the light (3.13).
+        retro: bool,
+        /// How the peak is chosen.
+        energy: reference::Energy,
+    },
+    /// The basic patch (4.2).
+    Patch {
+        /// R.
+        radius: f64,
+    },
+    /// The exponential mixture (4.46).
+    PatchExponential {
+        /// s.
+        sharpness: f64,
+    },
+    /// A metal (3.29).
+    Metal {
+        /// n.
+        exponent: f64,
+        /// Where its colour comes from.
+        reflectance: Reflectance,
+    },
+    /// A plastic (3.31).
+    Plastic {
+        /// Diffuse albedo.
+        albedo: Colour,
+        /// Specular share.
+        specular: Colour,
+        /// n.
+        exponent: f64,
+    },
+}
+
+/// What a metal's Fresnel factor is computed from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reflectance {
+    /// A metal with a measured spectrum.
+    Named(MetalName),
+    /// A complex index of refraction for red, green and blue.
+    Index {
+        /// Real part.
+        eta: [f64; 3],
+        /// Extinction coefficient.
+        k: [f64; 3],
+    },
+}
+
+const MODELS: [&str; 8] = [
+    "lambert",
+    "phong",
+    "metallic-phong",
+    "retro-phong",
+    "patch",
+    "patch-exponential",
+    "metal",
+    "plastic",
+];
+
+impl Material {
+    /// Reads a material given on a command line: a table written inline, with
+    /// or without braces, or else the path of a file that holds one.
+    ///
+    /// # Errors
+    /// The first mistake, with its place; a file that can't be read.
+    pub fn from_argument(argument: &str) -> Result<Self, SceneError> {
+        if !argument.contains('=') {
+            return Self::from_toml(argument, &crate::files::read(argument.as_ref())?);
+        }
+        let braced = argument.trim_start().starts_with('{');
+        // Fields that commas part read as an inline table, lines as a document.
+        let inline = if braced || toml::de::DeTable::parse(argument).is_err() {
+            let body = argument
+                .trim()
+                .trim_start_matches('{')
+                .trim_end_matches('}');
+            format!("material = {{{body}}}")
+        } else {
+            return Self::from_toml("material", argument);
+        };
+        let parse = || -> Result<Self, Fault> {
+            let document = parse(&inline)?;
+            let outer = Table::new("", &document);
+            Self::read(&outer.required("material")?.table()?)
+        };
+        // Places in the wrapped text mean nothing to whoever typed it.
+        parse().map_err(|fault| SceneError {
+            source_name: "--material".to_owned(),
+            place: None,
+            message: fault.message,
+        })
+    }
+
+    /// Reads a material from the text of a file.
+    ///
+    /// # Errors
+    /// The first mistake, with its place.
+    pub fn from_toml(source_name: &str, text: &str) -> Result<Self, SceneError> {
+        let read = || Self::read(&Table::new("", &parse(text)?));
+        read().map_err(|fault| fault.within(source_name, text))
+    }
+
+    pub(crate) fn read(table: &Table<'_, '_>) -> Result<Self, Fault> {
+        let model = table.required("model")?;
+        let exponent = || table.required("exponent")?.number(0.0..=1e8);
+        let material = match model.string()? {
+            "lambert" => Self::Lambert {
+                albedo: table.required("albedo")?.colour(0.0..=1.0)?,
+            },
+            name @ ("phong" | "metallic-phong" | "retro-phong") => Self::Phong {
+                exponent: exponent()?,
+                p: match table.optional("p") {
+                    Some(p) => p.number(0.0..=1.0)?,
+                    None if name == "phong" => 0.0,
+                    None => 1.0,
+                },
+                retro: name == "retro-phong",
+                energy: match table.optional("energy") {
+                    None => reference::Energy::Published,
+                    Some(energy) => match energy.string()? {
+                        "published" => reference::Energy::Published,
+                        "strict" => reference::Energy::Strict,
+                        _ => return Err(energy.fault("\"published\" or \"strict\"")),
+                    },
+                },
+            },
+            "patch" => Self::Patch {
+                radius: table.required("radius")?.number(1e-4..=2.0)?,
+            },
+            "patch-exponential" => Self::PatchExponential {
+                sharpness: table.required("sharpness")?.number(0.0..=4096.0)?,
+            },
+            "metal" => Self::Metal {
+                exponent: exponent()?,
+                reflectance: reflectance(table)?,
+            },
+            "plastic" => Self::Plastic {
+                albedo: table.required("albedo")?.colour(0.0..=1.0)?,
+                specular: table.required("specular")?.colour(0.0..=1.0)?,
+                exponent: exponent()?,
+            },
+            _ => return Err(model.fault(format!("one of {}", list(&MODELS)))),
+        };
+        table.finish()?;
+        if let Self::Plastic {
+            albedo, specular, ..
+        } = &material
+        {
+            let greatest = |colour: &Colour| colour.rgb().into_iter().fold(0.0, f64::max);
+            let total = greatest(albedo) + greatest(specular);
+            // Room for the rounding of decimals, none for energy.
+            if total > 1.0 + 1e-12 {
+                return Err(table.fault(format!(
+                    "specular plus the greatest albedo is {total}: must be at most 1, or the \
+                     plastic would reflect more than it receives"
+                )));
+            }
+        }
+        Ok(material)
+    }
+
+    /// Whether its channels can differ: three values are printed for it.
+    #[must_use]
+    pub fn is_coloured(&self) -> bool {
+        match self {
+            Self::Lambert { albedo } => albedo.is_rgb(),
+            Self::Plastic {
+                albedo, specular, ..
+            } => albedo.is_rgb() || specular.is_rgb(),
+            Self::Metal { .. } => true,
+            _ => false,
+        }
+    }
+}
+
+fn reflectance(table: &Table<'_, '_>) -> Result<Reflectance, Fault> {
+    let (metal, eta, k) = (
+        table.optional("metal"),
+        table.optional("eta"),
+        table.optional("k"),
+    );
+    match (metal, eta, k) {
+        (Some(metal), None, None) => match metal.string()?.parse() {
+            Ok(metal) => Ok(Reflectance::Named(metal)),
+            Err(_) => {
+                let names: Vec<_> = MetalName::ALL.iter().map(|metal| metal.name()).collect();
+                Err(metal.fault(format!("one of {}", list(&names))))
+            }
+        },
+        (None, Some(eta), Some(k)) => Ok(Reflectance::Index {
+            eta: eta.triple(0.01..=100.0)?,
+            k: k.triple(0.0..=100.0)?,
+        }),
+        _ => Err(table.fault("a metal needs either `metal`, its name, or `eta` and `k`")),
+    }
+}
+
+/// Parses a document.
+pub(crate) fn parse(text: &str) -> Result<toml::Spanned<toml::de::DeTable<'_>>, Fault> {
+    toml::de::DeTable::parse(text).map_err(|error| {
+        Fault::new(
+            error.span().map_or(0, |span| span.start),
+            error.message().to_owned(),
+        )
+    })
+}

@@ -1,0 +1,267 @@
+//! Materials as models: the core's, chosen at run time, and the reference's.
+
+use microbrdf::ParameterError;
+use microbrdf::Rgb;
+use microbrdf::arithmetic::Arithmetic;
+use microbrdf::brdf::{
+    Axis, Brdf, Flat, Foreshortening, Lambert, Metal, Metallic, MetallicPhong, Mirror, PModel,
+    Patch, PatchExponential, Phong, PhongLobe, Plastic, PowerModel, Retro, RetroPhong,
+};
+use microbrdf::geometry::Geometry;
+use microbrdf_reference as reference;
+use reference::models as exact;
+
+use crate::curve::cosine_curve;
+use crate::host::HostArithmetic;
+use crate::material::{Material, Reflectance};
+
+/// Any of the core's models.
+#[derive(Clone, Debug)]
+pub enum AnyModel<A: Arithmetic> {
+    /// Lambert.
+    Lambert(Box<Lambert<A>>),
+    /// cosⁿα.
+    Phong(Box<Phong<A>>),
+    /// cosⁿα / cosΘmin.
+    MetallicPhong(Box<MetallicPhong<A>>),
+    /// cosⁿα / cosᵖΘmin.
+    PModel(Box<PModel<A>>),
+    /// The retro-reflective forms.
+    RetroFlat(Box<PhongLobe<A, Retro, Flat>>),
+    /// p = 1.
+    RetroPhong(Box<RetroPhong<A>>),
+    /// 0 < p < 1.
+    RetroPModel(Box<PhongLobe<A, Retro, PowerModel<A>>>),
+    /// Basic patch.
+    Patch(Box<Patch<A>>),
+    /// Exponential mixture.
+    PatchExponential(Box<PatchExponential<A>>),
+    /// cosⁿα / g(Θmin).
+    Metal(Box<Metal<A>>),
+    /// Diffuser and highlight.
+    Plastic(Box<Plastic<A>>),
+}
+
+macro_rules! each {
+    ($any:expr, $model:ident => $result:expr) => {
+        match $any {
+            AnyModel::Lambert($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::Phong($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::MetallicPhong($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::PModel($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::RetroFlat($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::RetroPhong($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::RetroPModel($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::Patch($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::PatchExponential($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::Metal($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::Plastic($model) => {
+                let $model = &**$model;
+                $result
+            }
+        }
+    };
+}
+
+impl<A: Arithmetic> Brdf<A> for AnyModel<A> {
+    fn peak(&self) -> A::Scale {
+        each!(self, model => Brdf::<A>::peak(model))
+    }
+
+    fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+        each!(self, model => Brdf::<A>::share(model, geometry))
+    }
+
+    fn brdf(&self, geometry: &impl Geometry<A>) -> Rgb<A::Value> {
+        each!(self, model => Brdf::<A>::brdf(model, geometry))
+    }
+
+    fn reflect(&self, geometry: &impl Geometry<A>) -> Rgb<A::Radiance> {
+        each!(self, model => Brdf::<A>::reflect(model, geometry))
+    }
+}
+
+impl Material {
+    /// The core's model of this material.
+    ///
+    /// # Errors
+    /// A parameter that this arithmetic does not take: a fractional exponent
+    /// below 1 in fixed point.
+    pub fn model<A: HostArithmetic>(&self) -> Result<AnyModel<A>, ParameterError> {
+        Ok(match self {
+            Self::Lambert { albedo } => AnyModel::Lambert(Box::new(A::lambert(albedo.rgb())?)),
+            Self::Phong {
+                exponent, p, retro, ..
+            } => self.lobe(*exponent, *p, *retro)?,
+            Self::Patch { radius } => AnyModel::Patch(Box::new(A::patch(*radius)?)),
+            Self::PatchExponential { sharpness } => {
+                AnyModel::PatchExponential(Box::new(A::patch_exponential(*sharpness)?))
+            }
+            Self::Metal {
+                exponent,
+                reflectance,
+            } => {
+                let lobe = A::lobe::<Mirror, _>(*exponent, Metallic)?;
+                AnyModel::Metal(Box::new(Metal::new(lobe, reflectance.curve())))
+            }
+            Self::Plastic {
+                albedo,
+                specular,
+                exponent,
+            } => AnyModel::Plastic(Box::new(A::plastic(
+                albedo.rgb(),
+                specular.rgb(),
+                *exponent,
+            )?)),
+        })
+    }
+
+    fn lobe<A: HostArithmetic>(
+        &self,
+        n: f64,
+        p: f64,
+        retro: bool,
+    ) -> Result<AnyModel<A>, ParameterError> {
+        Ok(match (retro, p) {
+            (false, 0.0) => AnyModel::Phong(self.energy(A::lobe::<Mirror, _>(n, Flat)?)),
+            (false, 1.0) => {
+                AnyModel::MetallicPhong(self.energy(A::lobe::<Mirror, _>(n, Metallic)?))
+            }
+            (false, _) => {
+                AnyModel::PModel(self.energy(A::lobe::<Mirror, _>(n, A::power_model(p)?)?))
+            }
+            (true, 0.0) => AnyModel::RetroFlat(self.energy(A::lobe::<Retro, _>(n, Flat)?)),
+            (true, 1.0) => AnyModel::RetroPhong(self.energy(A::lobe::<Retro, _>(n, Metallic)?)),
+            (true, _) => {
+                AnyModel::RetroPModel(self.energy(A::lobe::<Retro, _>(n, A::power_model(p)?)?))
+            }
+        })
+    }
+
+    /// The lobe with the peak that this material's `energy` asks for.
+    fn energy<A: HostArithmetic, X: Axis, P: Foreshortening<A>>(
+        &self,
+        lobe: PhongLobe<A, X, P>,
+    ) -> Box<PhongLobe<A, X, P>> {
+        Box::new(match self {
+            Self::Phong {
+                energy: reference::Energy::Strict,
+                ..
+            } => lobe.with_peak(A::scale(self.reference().peak())),
+            _ => lobe,
+        })
+    }
+
+    /// The reference's model of this material.
+    ///
+    /// # Panics
+    /// Never: the ranges were checked when the material was read.
+    #[must_use]
+    pub fn reference(&self) -> Box<dyn reference::Brdf + Send + Sync> {
+        const CHECKED: &str = "the ranges were checked when the material was read";
+        match self.clone() {
+            Self::Lambert { albedo } => {
+                Box::new(exact::lambert::Lambert::new(albedo.rgb()).expect(CHECKED))
+            }
+            Self::Phong {
+                exponent,
+                p,
+                retro: true,
+                energy,
+            } => Box::new(exact::retro_phong::RetroPhong::new(exponent, p, energy).expect(CHECKED)),
+            Self::Phong {
+                exponent,
+                p,
+                energy,
+                ..
+            } => Box::new(exact::p_model::PModel::new(exponent, p, energy).expect(CHECKED)),
+            Self::Patch { radius } => Box::new(exact::patch::Patch::new(radius).expect(CHECKED)),
+            Self::PatchExponential { sharpness } => {
+                Box::new(exact::patch_exponential::PatchExponential::new(sharpness).expect(CHECKED))
+            }
+            Self::Metal {
+                exponent,
+                reflectance: Reflectance::Named(metal),
+            } => Box::new(exact::metal::Metal::named(exponent, metal).expect(CHECKED)),
+            Self::Metal {
+                exponent,
+                reflectance: Reflectance::Index { eta, k },
+            } => Box::new(exact::metal::Metal::from_indices(exponent, eta, k).expect(CHECKED)),
+            Self::Plastic {
+                albedo,
+                specular,
+                exponent,
+            } => Box::new(
+                exact::plastic::Plastic::new(albedo.rgb(), specular.rgb(), exponent)
+                    .expect(CHECKED),
+            ),
+        }
+    }
+
+    /// This material with its parameters as the arithmetic rounds them: what
+    /// an arithmetic error is measured against.
+    #[must_use]
+    pub fn rounded<A: HostArithmetic>(&self) -> Self {
+        let mut material = self.clone();
+        match &mut material {
+            Self::Phong { exponent, .. }
+            | Self::Metal { exponent, .. }
+            | Self::Plastic { exponent, .. } => *exponent = A::exponent_value(*exponent),
+            Self::Patch { radius } => *radius = A::radius_value(*radius),
+            Self::PatchExponential { sharpness } => *sharpness = A::exponent_value(*sharpness),
+            Self::Lambert { .. } => {}
+        }
+        material
+    }
+}
+
+impl Reflectance {
+    /// The Fresnel factor at a cosine, per channel.
+    ///
+    /// # Panics
+    /// Never: the ranges were checked when the material was read.
+    #[must_use]
+    pub fn at(&self, cosine: f64) -> [f64; 3] {
+        match self {
+            Self::Named(metal) => reference::metal_rgb(*metal, cosine),
+            Self::Index { eta, k } => [0, 1, 2]
+                .map(|channel| reference::fresnel::conductor(eta[channel], k[channel], cosine)),
+        }
+    }
+
+    /// The table of it.
+    #[must_use]
+    pub fn curve(&self) -> microbrdf::table::CosineCurve {
+        cosine_curve(&|cosine| self.at(cosine))
+    }
+}
