@@ -61,8 +61,19 @@ fn linker_script() -> Result<(), String> {
     println!("cargo::rustc-link-arg-bins=--nmagic");
     if env::var_os("CARGO_FEATURE_DEFMT").is_some() {
         println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
+        log_level();
     }
     Ok(())
+}
+
+/// Has `info` logged and what is graver, unless the environment asks for other
+/// levels: defmt's own default is errors alone.
+fn log_level() {
+    const LEVEL: &str = "DEFMT_LOG";
+    println!("cargo::rerun-if-env-changed={LEVEL}");
+    if env::var_os(LEVEL).is_none() {
+        println!("cargo::rustc-env={LEVEL}=info");
+    }
 }
 
 fn has_feature(board: &str) -> bool {

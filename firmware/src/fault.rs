@@ -2,20 +2,23 @@
 
 use core::fmt;
 
-use heapless::spsc::Consumer;
-use microbrdf_link::{FaultCode, send_fault};
-
-use crate::uart::{Polled, Uart};
 use embedded_io::Write;
+use heapless::spsc::Consumer;
+use microbrdf_link::{FaultCode, send_fault, send_log};
 
-/// Sends what is still queued and then the report of a failure, without interrupts.
+use crate::log::LogSource;
+use crate::uart::{Polled, Uart};
+
+/// Sends what is still queued, the log, and then the report of a failure, all
+/// without interrupts.
 ///
 /// `frame` is the number of the frame that ends here. The queue may end in half
-/// a packet, if the failure struck while one was being queued: the report
+/// a packet, if the failure struck while one was being queued: what comes after
 /// starts with a delimiter of its own, so the receiver drops only that one.
 pub fn report(
     uart: &mut impl Uart,
     queue: &mut Consumer<'_, u8>,
+    log: &mut impl LogSource,
     frame: u16,
     code: FaultCode,
     text: fmt::Arguments<'_>,
@@ -24,5 +27,6 @@ pub fn report(
     while let Some(byte) = queue.dequeue() {
         let Ok(()) = line.write_all(&[byte]);
     }
+    let Ok(()) = send_log(&mut line, &log.take());
     let Ok(()) = send_fault(&mut line, frame, code, text);
 }

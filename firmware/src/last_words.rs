@@ -9,6 +9,7 @@ use microbrdf_firmware::report;
 use microbrdf_link::FaultCode;
 
 use crate::boards;
+use crate::logger::Logs;
 
 /// Number of the frame under way.
 static FRAME: AtomicU16 = AtomicU16::new(0);
@@ -23,7 +24,7 @@ pub fn frame_begins(number: u16) {
 fn end(code: FaultCode, text: fmt::Arguments<'_>) -> ! {
     cortex_m::interrupt::disable();
     let frame = FRAME.load(Ordering::Relaxed);
-    boards::with_line(|uart, queue| report(uart, queue, frame, code, text));
+    boards::with_line(|uart, queue| report(uart, queue, &mut Logs, frame, code, text));
     loop {
         cortex_m::asm::wfi();
     }

@@ -38,7 +38,11 @@ pub struct Logs;
 
 impl LogSource for Logs {
     fn take(&mut self) -> Vec<u8, MAX_LOG> {
-        critical_section::with(|cs| mem::take(&mut GATHERED.borrow_ref_mut(cs).bytes))
+        critical_section::with(|cs| match GATHERED.borrow(cs).try_borrow_mut() {
+            Ok(mut gathered) => mem::take(&mut gathered.bytes),
+            // The device has failed in the middle of a line.
+            Err(_) => Vec::new(),
+        })
     }
 }
 

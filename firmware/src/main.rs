@@ -12,7 +12,8 @@ mod boards;
 mod device;
 #[cfg(target_os = "none")]
 mod last_words;
-#[cfg(all(target_os = "none", feature = "defmt"))]
+#[cfg(target_os = "none")]
+#[cfg_attr(not(feature = "defmt"), path = "no_logger.rs")]
 mod logger;
 #[cfg(all(target_os = "none", feature = "defmt"))]
 mod stack;
