@@ -102,3 +102,12 @@ pub fn host_cargo(root: &Path) -> Command {
 pub fn typed(line: &[&str]) -> String {
     line.join(" ")
 }
+
+/// A command as one would type it, for messages.
+pub fn shown(command: &Command) -> String {
+    std::iter::once(command.get_program())
+        .chain(command.get_args())
+        .map(|word| word.to_string_lossy())
+        .collect::<Vec<_>>()
+        .join(" ")
+}

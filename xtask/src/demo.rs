@@ -11,7 +11,7 @@ use crate::host_sim::HostSim;
 use crate::layout::Layout;
 use crate::picture::Picture;
 use crate::qemu::Emulator;
-use crate::receiver;
+use crate::receiver::Reception;
 use crate::report;
 use crate::toolchain::Cross;
 
@@ -66,26 +66,18 @@ pub fn run(
     fs::create_dir_all(out).during(|| format!("creating {}", out.display()))?;
     let place = |name: &str| out.join(name);
     // Nothing of an earlier run is left to be taken for this one's.
-    for name in [
-        "host.png",
-        "reference.png",
-        "error.png",
-        "panel.png",
-        "report.json",
-    ] {
+    for name in MADE {
         let _ = fs::remove_file(place(name));
     }
 
     let mut emulator = Emulator::halted(&order.board, &image.elf)?;
-    let device = place("device.png");
-    let received = receiver::receive(
-        layout,
-        &mut emulator,
-        &device,
-        &place("receiver.json"),
-        quiet,
-    )?;
-    let _ = fs::remove_file(place("receiver.json"));
+    let mut reception = Reception::into(out);
+    if quiet {
+        reception.log = Some(place("receiver.log"));
+    }
+    let device = reception.picture.clone();
+    let received = reception.run(layout, &mut emulator)?;
+    let _ = fs::remove_file(&reception.report);
     if order.board.panel {
         photograph(&mut emulator, &place("panel.png"))?;
     }

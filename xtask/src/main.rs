@@ -1,6 +1,7 @@
 //! The project's commands, run as `cargo xtask …`.
 
 mod board;
+mod check;
 mod cli;
 mod command;
 mod demo;
@@ -20,6 +21,7 @@ use std::process::ExitCode;
 
 use clap::ArgMatches;
 
+use board::Board;
 use command::Machine;
 use failure::Outcome;
 use firmware::Order;
@@ -58,6 +60,20 @@ fn run(matches: &ArgMatches) -> Outcome<()> {
             let out = cli::path(&layout, options, "out")?;
             let cross = cross(&layout, Purpose::Demo, &order, options)?;
             demo::command(&layout, &cross, &order, &out)
+        }
+        Some(("test", options)) => {
+            if options.get_flag("list") {
+                check::list();
+                return Ok(());
+            }
+            let targets = Board::targets();
+            let yes = options.get_flag("yes");
+            let cross = setup::ensure(&layout, &Machine, Purpose::Test, &targets, yes)?;
+            check::run(
+                &layout,
+                &cross,
+                options.get_one::<String>("only").map(String::as_str),
+            )
         }
         _ => unreachable!("clap requires a subcommand"),
     }

@@ -1,7 +1,7 @@
 //! The receiver, started beside an emulator.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -15,6 +15,21 @@ use crate::qemu::Emulator;
 /// How long the receiver may take to open its port.
 const OPENS_WITHIN: Duration = Duration::from_secs(30);
 
+/// One start of the receiver.
+#[derive(Debug, Clone)]
+pub struct Reception {
+    /// What it opens, where that is not the board's own line.
+    pub port: Option<String>,
+    /// Seconds of silence after which it gives up, where the default does not suit.
+    pub silence: Option<u32>,
+    /// The picture that it writes.
+    pub picture: PathBuf,
+    /// The report that it writes.
+    pub report: PathBuf,
+    /// A file for what it says, where the terminal is not the place.
+    pub log: Option<PathBuf>,
+}
+
 /// What came of receiving.
 #[derive(Debug)]
 pub struct Received {
@@ -24,49 +39,68 @@ pub struct Received {
     pub report: Value,
 }
 
-/// Receives one frame of an emulator that was started halted, and lets it run once the receiver listens.
-/// The picture goes to `picture`, the receiver's report to `report`; both are taken away first.
-pub fn receive(
-    layout: &Layout,
-    emulator: &mut Emulator,
-    picture: &Path,
-    report: &Path,
-    quiet: bool,
-) -> Outcome<Received> {
-    for old in [picture, report] {
-        if old.exists() {
-            fs::remove_file(old).during(|| format!("removing {}", old.display()))?;
+impl Reception {
+    /// A reception of the board's own line into a folder.
+    pub fn into(folder: &Path) -> Self {
+        Self {
+            port: None,
+            silence: None,
+            picture: folder.join("device.png"),
+            report: folder.join("receiver.json"),
+            log: None,
         }
     }
-    let program = layout.venv_program("microbrdf-receive");
-    let mut command = Command::new(&program);
-    command
-        .arg(emulator.line()?)
-        .arg("-o")
-        .arg(picture)
-        .arg("--report")
-        .arg(report);
-    if quiet {
-        command.stdout(Stdio::null()).stderr(Stdio::null());
+
+    /// Receives one frame of an emulator that was started halted, and lets it run once the receiver listens.
+    /// Picture and report of an earlier reception are taken away first.
+    pub fn run(&self, layout: &Layout, emulator: &mut Emulator) -> Outcome<Received> {
+        for old in [&self.picture, &self.report] {
+            if old.exists() {
+                fs::remove_file(old).during(|| format!("removing {}", old.display()))?;
+            }
+        }
+        let mut child = self.start(layout, emulator)?;
+        if let Err(failure) = open(&mut child, emulator).and_then(|()| emulator.run()) {
+            let _ = child.kill();
+            let _ = child.wait();
+            return Err(failure);
+        }
+        // It ends by itself: on the frame's end, on silence, and when the line is cut.
+        let status = child
+            .wait()
+            .during(|| "waiting for the receiver".to_string())?;
+        let report = fs::read_to_string(&self.report)
+            .ok()
+            .and_then(|text| serde_json::from_str(&text).ok())
+            .unwrap_or(Value::Null);
+        Ok(Received { status, report })
     }
-    let mut child = command
-        .stdin(Stdio::null())
-        .spawn()
-        .map_err(|e| Failure::lacking(format!("{} cannot be started: {e}", program.display())))?;
-    if let Err(failure) = open(&mut child, emulator).and_then(|()| emulator.run()) {
-        let _ = child.kill();
-        let _ = child.wait();
-        return Err(failure);
+
+    fn start(&self, layout: &Layout, emulator: &mut Emulator) -> Outcome<Child> {
+        let program = layout.venv_program("microbrdf-receive");
+        let mut command = Command::new(&program);
+        match &self.port {
+            Some(port) => command.arg(port),
+            None => command.arg(format!("socket://{}", emulator.line()?)),
+        };
+        command
+            .arg("-o")
+            .arg(&self.picture)
+            .arg("--report")
+            .arg(&self.report);
+        if let Some(seconds) = self.silence {
+            command.arg("--timeout").arg(seconds.to_string());
+        }
+        if let Some(path) = &self.log {
+            let name = || format!("writing {}", path.display());
+            let log = fs::File::create(path).during(name)?;
+            command.stdout(log.try_clone().during(name)?).stderr(log);
+        }
+        command
+            .stdin(Stdio::null())
+            .spawn()
+            .map_err(|e| Failure::lacking(format!("{} cannot be started: {e}", program.display())))
     }
-    // It ends by itself: on the frame's end, on silence, and when the line is cut.
-    let status = child
-        .wait()
-        .during(|| "waiting for the receiver".to_string())?;
-    let report = fs::read_to_string(report)
-        .ok()
-        .and_then(|text| serde_json::from_str(&text).ok())
-        .unwrap_or(Value::Null);
-    Ok(Received { status, report })
 }
 
 /// Waits until the receiver listens: what a board sends before that is lost.

@@ -8,14 +8,18 @@ use crate::board::Board;
 pub const SCHEMA: u32 = 1;
 
 /// Fields that the receiver counts.
-const OF_RECEIVER: [&str; 6] = [
+const OF_RECEIVER: [&str; 7] = [
     "width",
     "height",
     "rows_received",
     "rows_missing",
     "crc_errors",
     "bytes_on_wire",
+    "frame_crc_ok",
 ];
+
+/// Fields by which the device says what it is, and which must be what was asked for.
+const OF_DEVICE: [&str; 3] = ["board", "core", "arithmetic"];
 
 /// Fields that the comparison with host and reference brings.
 const OF_COMPARISON: [&str; 9] = [
@@ -51,6 +55,12 @@ pub fn assemble(
             received.get(field).cloned().unwrap_or_default(),
         );
     }
+    // What the device said of itself, where that is something else.
+    for field in OF_DEVICE {
+        if received[field] != report[field] {
+            report.insert(format!("device_{field}"), received[field].clone());
+        }
+    }
     for field in OF_COMPARISON {
         report.insert(
             field.into(),
@@ -85,6 +95,17 @@ pub fn faults(report: &Value) -> Vec<String> {
             "{} of {} rows received",
             report["rows_received"], report["height"]
         ));
+    }
+    if report["frame_crc_ok"] != true {
+        faults.push("the checksum of the whole frame is wrong or did not come".into());
+    }
+    for field in OF_DEVICE {
+        if let Some(said) = report.get(format!("device_{field}")) {
+            faults.push(format!(
+                "the device's {field} is {said}, not {}",
+                report[field]
+            ));
+        }
     }
     if report["device_equals_host"] != true {
         faults.push("the device's picture differs from the host's".into());
@@ -157,7 +178,8 @@ mod tests {
 
     fn received() -> Value {
         json!({ "width": 256, "height": 128, "rows_received": 128, "rows_missing": 0,
-                "crc_errors": 0, "bytes_on_wire": 100_000 })
+                "crc_errors": 0, "bytes_on_wire": 100_000, "frame_crc_ok": true,
+                "board": "lm3s6965evb", "core": "cortex-m3", "arithmetic": "q31" })
     }
 
     fn compared() -> Value {
@@ -188,6 +210,11 @@ mod tests {
             ("rows_missing", json!(1)),
             ("crc_errors", json!(2)),
             ("crc_errors", Value::Null),
+            ("frame_crc_ok", json!(false)),
+            ("frame_crc_ok", Value::Null),
+            ("board", json!("microbit")),
+            ("core", Value::Null),
+            ("arithmetic", json!("f32")),
         ] {
             let mut broken = received();
             broken[field] = value.clone();

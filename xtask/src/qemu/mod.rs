@@ -62,11 +62,11 @@ impl Emulator {
         }
     }
 
-    /// The serial line, as pyserial opens it.
+    /// Where the serial line can be reached: `HOST:PORT`.
     pub fn line(&mut self) -> Outcome<String> {
         let state = self.line_state()?;
         port(&state)
-            .map(|port| format!("socket://127.0.0.1:{port}"))
+            .map(|port| format!("127.0.0.1:{port}"))
             .ok_or_else(|| Failure::incomplete(format!("QEMU's serial line is at {state:?}")))
     }
 

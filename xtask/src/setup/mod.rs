@@ -113,7 +113,7 @@ fn carry_out(
 ) -> Outcome<Step> {
     if offer.by_hand() && plan.local.contains(&Local::Venv) && python::can_make_venv(runner) {
         // The receiver is of use without an emulator too.
-        python::install(layout, purpose)?;
+        python::install(layout)?;
     }
     offer.agree(runner, asking)?;
     if !plan.targets.is_empty() && !offer.add_targets(runner) {
@@ -161,7 +161,7 @@ fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: Local) ->
                 })?;
             sysroot::build(layout, &compiler, target)
         }
-        Local::Venv => python::install(layout, purpose),
+        Local::Venv => python::install(layout),
         Local::CargoDeny => deny::install(layout),
     }
 }

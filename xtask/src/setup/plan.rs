@@ -64,7 +64,7 @@ impl Plan {
             plan.packages
                 .push(("qemu-system-arm", "emulator of the boards"));
         }
-        if purpose.runs() && !python::current(layout, purpose) {
+        if purpose.runs() && !python::current(layout) {
             if !python::can_make_venv(runner) {
                 plan.packages
                     .push(("python3-venv", "virtual environment for the receiver"));

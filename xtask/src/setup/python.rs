@@ -7,42 +7,33 @@ use std::process::{Command, Stdio};
 use crate::command::Runner;
 use crate::failure::{During, Failure, Outcome};
 use crate::layout::Layout;
-use crate::setup::Purpose;
+
+/// Exact versions and checksums of everything that the receiver runs with and is tested with.
+const LOCK: &str = "receiver/requirements.lock";
+
+/// The receiver's own metadata: its commands among them.
+const PROJECT: &str = "receiver/pyproject.toml";
 
 /// The interpreter that environments are made with.
 pub const PYTHON: &str = if cfg!(windows) { "python" } else { "python3" };
 
-/// The lock file that a purpose installs from: what the receiver runs with, or also what it is tested with.
-fn lock(layout: &Layout, purpose: Purpose) -> PathBuf {
-    layout.at(match purpose {
-        Purpose::Test => "receiver/requirements-dev.txt",
-        _ => "receiver/requirements.txt",
-    })
-}
-
 /// Everything that the environment's contents depend on, as one text.
-fn fingerprint(layout: &Layout, purpose: Purpose) -> Option<String> {
-    let lock = fs::read_to_string(lock(layout, purpose)).ok()?;
-    let project = fs::read_to_string(layout.at("receiver/pyproject.toml")).ok()?;
+fn fingerprint(layout: &Layout) -> Option<String> {
+    let lock = fs::read_to_string(layout.at(LOCK)).ok()?;
+    let project = fs::read_to_string(layout.at(PROJECT)).ok()?;
     // Programs of an environment hold its path, so that a moved repository needs a new one.
     Some(format!("{}\n{lock}\n{project}", layout.venv().display()))
 }
 
-/// Where the fingerprint of a finished installation is kept, one for each lock file.
-fn stamp(layout: &Layout, purpose: Purpose) -> PathBuf {
-    let name = if purpose == Purpose::Test {
-        "installed-dev"
-    } else {
-        "installed"
-    };
-    layout.venv().join(name)
+/// Where the fingerprint of a finished installation is kept.
+fn stamp(layout: &Layout) -> PathBuf {
+    layout.venv().join("installed")
 }
 
 /// Whether the environment is there and holds what the lock file says.
-pub fn current(layout: &Layout, purpose: Purpose) -> bool {
+pub fn current(layout: &Layout) -> bool {
     layout.venv_program("python").exists()
-        && fs::read_to_string(stamp(layout, purpose))
-            .is_ok_and(|found| Some(found) == fingerprint(layout, purpose))
+        && fs::read_to_string(stamp(layout)).is_ok_and(|found| Some(found) == fingerprint(layout))
 }
 
 /// Whether Python is there and can make environments; Debian and Ubuntu ship that part on its own.
@@ -53,16 +44,12 @@ pub fn can_make_venv(runner: &dyn Runner) -> bool {
 }
 
 /// Makes the environment anew where needed and installs into it from the lock file.
-pub fn install(layout: &Layout, purpose: Purpose) -> Outcome<()> {
+pub fn install(layout: &Layout) -> Outcome<()> {
     let venv = layout.venv();
     eprintln!("installing the receiver into {}", layout.shown(&venv));
-    let fingerprint = fingerprint(layout, purpose).ok_or_else(|| {
-        Failure::incomplete(format!(
-            "{} or receiver/pyproject.toml cannot be read",
-            layout.shown(&lock(layout, purpose))
-        ))
-    })?;
-    let stamp = stamp(layout, purpose);
+    let fingerprint = fingerprint(layout)
+        .ok_or_else(|| Failure::incomplete(format!("{LOCK} or {PROJECT} cannot be read")))?;
+    let stamp = stamp(layout);
     let moved = fs::read_to_string(&stamp)
         .is_ok_and(|old| old.lines().next() != fingerprint.lines().next());
     let mut make = Command::new(PYTHON);
@@ -84,9 +71,7 @@ pub fn install(layout: &Layout, purpose: Purpose) -> Outcome<()> {
         command
     };
     let mut locked = pip();
-    locked
-        .args(["--require-hashes", "-r"])
-        .arg(lock(layout, purpose));
+    locked.args(["--require-hashes", "-r"]).arg(layout.at(LOCK));
     finish(locked, "installing from the lock file")?;
     let mut own = pip();
     own.args(["--no-deps", "--no-build-isolation", "--editable"])

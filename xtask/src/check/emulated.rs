@@ -1,0 +1,215 @@
+//! Whole runs on emulated boards: the demo for every board and arithmetic, and frames that end badly.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::counts::Tally;
+use super::line::{self, End};
+use super::{Bench, Step, step};
+use crate::board::{ARITHMETICS, BOARDS, Board};
+use crate::demo;
+use crate::failure::{During, Failure, Outcome};
+use crate::firmware::{self, Order};
+use crate::host_sim::HostSim;
+use crate::picture::Picture;
+use crate::qemu::Emulator;
+use crate::receiver::{Received, Reception};
+use crate::report;
+
+/// Most codes that the demo scene may be off by, but for counted class flips.
+const CODE_ERROR: f64 = 1.0;
+/// Most pixels that may fall on the other side of a jump.
+const CLASS_FLIPS: f64 = 20.0;
+/// Greatest share of codes that may be off by one.
+const CODE_ERROR_SHARE: f64 = 0.01;
+
+/// Colour that the receiver hatches missing pixels with, beside black.
+const MISSING: [u8; 3] = [255, 0, 255];
+
+/// Every step that boots an emulator.
+pub fn steps() -> Vec<Step> {
+    let mut steps = Vec::new();
+    for board in BOARDS {
+        for arithmetic in ARITHMETICS {
+            steps.push(step(
+                format!("demo, {} {arithmetic}", board.name),
+                move |bench| demonstrate(bench, board, arithmetic),
+            ));
+        }
+    }
+    for board in BOARDS {
+        for (feature, fault) in [
+            ("provoke-panic", "panic"),
+            ("provoke-hardfault", "hard fault"),
+        ] {
+            steps.push(step(format!("{fault}, {}", board.name), move |bench| {
+                provoke(bench, board, feature, fault)
+            }));
+        }
+    }
+    steps.push(step("line cut in mid-frame", |bench| {
+        broken_line(bench, End::HangsUp)
+    }));
+    steps.push(step("line silent in mid-frame", |bench| {
+        broken_line(bench, End::FallsSilent)
+    }));
+    steps
+}
+
+fn order(bench: &Bench<'_>, board: Board, arithmetic: &str, features: &[&str]) -> Order {
+    Order {
+        board,
+        scene: bench.layout.at("scenes/demo.toml"),
+        arithmetic: arithmetic.to_string(),
+        features: features.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn folder(bench: &Bench<'_>, name: &str) -> Outcome<PathBuf> {
+    let folder = bench.layout.target().join("test").join(name);
+    fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
+    Ok(folder)
+}
+
+/// The demo: whole, equal to the host, and near the reference.
+fn demonstrate(bench: &Bench<'_>, board: Board, arithmetic: &str) -> Outcome<Tally> {
+    let host = HostSim::build(bench.layout)?;
+    let order = order(bench, board, arithmetic, &[]);
+    let out = folder(bench, &format!("demo-{}-{arithmetic}", board.name))?;
+    let report = demo::run(bench.layout, bench.cross, &host, &order, &out, true)?;
+    print!("{}", report::lines(&report));
+    let mut faults = report::faults(&report);
+    faults.extend(far_from_reference(&report));
+    if faults.is_empty() {
+        return Ok(Tally::PASSED);
+    }
+    Err(Failure::incomplete(format!(
+        "{} ({})",
+        faults.join("; "),
+        bench.layout.shown(&out)
+    )))
+}
+
+/// Where a report exceeds what the demo scene is held to.
+fn far_from_reference(report: &Value) -> Vec<String> {
+    [
+        ("code_error_max", CODE_ERROR),
+        ("code_error_over_one_share", 0.0),
+        ("code_error_share", CODE_ERROR_SHARE),
+        ("class_flips", CLASS_FLIPS),
+    ]
+    .into_iter()
+    // A figure that is missing is not a small one.
+    .filter(|(field, most)| !report[*field].as_f64().is_some_and(|value| value <= *most))
+    .map(|(field, most)| format!("{field} is {}, at most {most} is allowed", report[field]))
+    .collect()
+}
+
+/// A frame that the firmware breaks off itself: the receiver says why, and keeps what arrived.
+fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outcome<Tally> {
+    let host = HostSim::build(bench.layout)?;
+    let order = order(bench, board, ARITHMETICS[0], &[feature]);
+    let image = firmware::build(bench.layout, bench.cross, &host, &order)?;
+    let out = folder(bench, &format!("{feature}-{}", board.name))?;
+    let mut reception = Reception::into(&out);
+    reception.log = Some(out.join("receiver.log"));
+    let received = reception.run(bench.layout, &mut Emulator::halted(&board, &image.elf)?)?;
+    let mut faults = partial(&received, &reception.picture)?;
+    if received.report["fault"]["name"] != fault {
+        faults.push(format!(
+            "reported is {}, not a {fault}",
+            received.report["fault"]
+        ));
+    }
+    let said = fs::read_to_string(out.join("receiver.log")).unwrap_or_default();
+    if !said.contains(fault) {
+        faults.push(format!("the receiver does not say {fault:?}: {said}"));
+    }
+    println!("{}", said.lines().last().unwrap_or_default());
+    verdict(&faults)
+}
+
+/// A whole frame over a line that breaks in its middle.
+fn broken_line(bench: &Bench<'_>, end: End) -> Outcome<Tally> {
+    let host = HostSim::build(bench.layout)?;
+    let board = BOARDS[0];
+    let order = order(bench, board, ARITHMETICS[0], &[]);
+    let image = firmware::build(bench.layout, bench.cross, &host, &order)?;
+    let out = folder(bench, &format!("broken-{end:?}").to_lowercase())?;
+    let mut emulator = Emulator::halted(&board, &image.elf)?;
+    let mut reception = Reception::into(&out);
+    // Less than half of the smallest frame that 256 x 128 pixels of 3 bytes can be.
+    reception.port = Some(line::cut_after(emulator.line()?, 40_000, end)?);
+    reception.silence = Some(2);
+    reception.log = Some(out.join("receiver.log"));
+    let received = reception.run(bench.layout, &mut emulator)?;
+    let said = fs::read_to_string(out.join("receiver.log")).unwrap_or_default();
+    println!("{}", said.lines().last().unwrap_or_default());
+    verdict(&partial(&received, &reception.picture)?)
+}
+
+/// What is wrong with a reception that had to end early: it must say so, keep what came, and mark the rest.
+fn partial(received: &Received, picture: &Path) -> Outcome<Vec<String>> {
+    let mut faults = Vec::new();
+    if received.status.code() != Some(1) {
+        faults.push(format!(
+            "the receiver ended with {}, not with 1",
+            received.status
+        ));
+    }
+    for field in ["rows_received", "rows_missing"] {
+        if received.report[field].as_u64().unwrap_or(0) == 0 {
+            faults.push(format!(
+                "{field} is {}, must be above 0",
+                received.report[field]
+            ));
+        }
+    }
+    let picture = Picture::read_png(picture)?;
+    let row = picture.width as usize * 3;
+    let last = &picture.rgb[picture.rgb.len() - row..];
+    if !last.chunks_exact(3).any(|pixel| pixel == MISSING) {
+        faults.push("the missing last row is not marked in the picture".into());
+    }
+    if picture.rgb[..row]
+        .chunks_exact(3)
+        .any(|pixel| pixel == MISSING)
+    {
+        faults.push("the first row, which came, is marked as missing".into());
+    }
+    Ok(faults)
+}
+
+fn verdict(faults: &[String]) -> Outcome<Tally> {
+    if faults.is_empty() {
+        Ok(Tally::PASSED)
+    } else {
+        Err(Failure::incomplete(faults.join("; ")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::far_from_reference;
+    use serde_json::json;
+
+    #[test]
+    fn the_limits_bite() {
+        let near = json!({ "code_error_max": 1, "code_error_over_one_share": 0.0,
+                           "code_error_share": 0.01, "class_flips": 20 });
+        assert!(far_from_reference(&near).is_empty());
+        for (field, value) in [
+            ("code_error_max", json!(2)),
+            ("code_error_over_one_share", json!(1e-6)),
+            ("code_error_share", json!(0.0101)),
+            ("class_flips", json!(21)),
+            ("class_flips", json!(null)),
+        ] {
+            let mut far = near.clone();
+            far[field] = value;
+            assert_eq!(far_from_reference(&far).len(), 1, "{field}");
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! The workspace still compiles with the oldest Rust that `Cargo.toml` promises.
+//!
+//! That compiler comes from rustup if it is installed there; else, on Debian, the distribution's packages of it are unpacked, not installed, into `target/oldest-rust`; else the step is skipped and says so.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::counts::Tally;
+use super::{Bench, Step};
+use crate::command::{self, Machine, Runner};
+use crate::failure::{During, Failure, Outcome};
+use crate::setup::apt;
+use crate::toolchain::{OLDEST, distribution};
+
+/// The step.
+pub fn step() -> Step {
+    super::step(format!("oldest Rust, {}.{}", OLDEST.0, OLDEST.1), run)
+}
+
+fn run(bench: &Bench<'_>) -> Outcome<Tally> {
+    let Some(mut cargo) = find(bench)? else {
+        println!(
+            "skipped: Rust {}.{} is neither installed in rustup nor among the distribution's packages",
+            OLDEST.0, OLDEST.1
+        );
+        return Ok(Tally::SKIPPED);
+    };
+    cargo
+        .args(["check", "--workspace", "--locked"])
+        .current_dir(bench.layout.root())
+        .env("CARGO_TARGET_DIR", bench.layout.target().join("oldest"));
+    bench
+        .finish("oldest-rust", &mut cargo)
+        .map(|_| Tally::PASSED)
+}
+
+fn find(bench: &Bench<'_>) -> Outcome<Option<Command>> {
+    if let Some(name) = rustup_toolchain(&Machine) {
+        let mut cargo = Command::new("rustup");
+        cargo.args(["run", &name, "cargo"]);
+        // Set by the toolchain that runs this command, these would lead back to it.
+        for variable in ["CARGO", "RUSTC", "RUSTUP_TOOLCHAIN"] {
+            cargo.env_remove(variable);
+        }
+        return Ok(Some(cargo));
+    }
+    let root = bench.layout.target().join("oldest-rust");
+    if !root.join("usr/bin/cargo").is_file() && !unpack(&Machine, &root)? {
+        return Ok(None);
+    }
+    Ok(Some(unpacked(&root)))
+}
+
+/// An installed toolchain of that release.
+fn rustup_toolchain(runner: &dyn Runner) -> Option<String> {
+    let list = runner.capture(&["rustup", "toolchain", "list"])?;
+    let wanted = format!("{}.{}", OLDEST.0, OLDEST.1);
+    list.stdout
+        .lines()
+        .filter_map(|line| line.split_whitespace().next())
+        .find(|name| {
+            name.strip_prefix(&wanted)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '-']))
+        })
+        .map(str::to_string)
+}
+
+/// Cargo from an unpacked set of packages.
+fn unpacked(root: &Path) -> Command {
+    let programs = root.join("usr/bin");
+    let mut cargo = Command::new(programs.join("cargo"));
+    let libraries: Vec<PathBuf> = ["usr/lib", "lib"]
+        .iter()
+        .flat_map(|folder| {
+            fs::read_dir(root.join(folder))
+                .into_iter()
+                .flatten()
+                .flatten()
+        })
+        .map(|entry| entry.path())
+        .filter(|path| path.to_string_lossy().ends_with("-linux-gnu"))
+        .collect();
+    let mut path = vec![programs.clone()];
+    path.extend(env::split_paths(&env::var_os("PATH").unwrap_or_default()));
+    if let (Ok(libraries), Ok(path)) = (env::join_paths(libraries), env::join_paths(path)) {
+        cargo.env("LD_LIBRARY_PATH", libraries).env("PATH", path);
+    }
+    cargo
+        .env("RUSTC", programs.join("rustc"))
+        .env("CARGO", programs.join("cargo"))
+        .env_remove("RUSTUP_TOOLCHAIN");
+    cargo
+}
+
+/// Fetches the distribution's packages of that release, with what they need and this machine lacks, and unpacks them.
+/// False where the distribution has none.
+fn unpack(runner: &dyn Runner, root: &Path) -> Outcome<bool> {
+    let Some(version) = packaged(runner) else {
+        return Ok(false);
+    };
+    let wanted: Vec<String> = ["rustc-web", "cargo-web", "libstd-rust-web-dev"]
+        .iter()
+        .map(|name| format!("{name}={version}"))
+        .collect();
+    let mut packages: Vec<&str> = vec!["--allow-downgrades"];
+    packages.extend(wanted.iter().map(String::as_str));
+    let quote = apt::quote(runner, &packages);
+    if let Some(refused) = quote.refused {
+        return Err(Failure::incomplete(format!(
+            "apt-get does not resolve {wanted:?}: {refused}"
+        )));
+    }
+    println!("fetching Rust {version} into target/, once");
+    let partial = root.with_extension("partial");
+    let _ = fs::remove_dir_all(&partial);
+    fs::create_dir_all(&partial).during(|| format!("creating {}", partial.display()))?;
+    let exact: Vec<String> = quote
+        .install
+        .iter()
+        .map(|(name, version)| format!("{name}={version}"))
+        .collect();
+    run_in(
+        &partial,
+        Command::new("apt-get")
+            .arg("-q")
+            .arg("download")
+            .args(&exact),
+    )?;
+    for entry in fs::read_dir(&partial)
+        .during(|| "listing packages".to_string())?
+        .flatten()
+    {
+        let package = entry.path();
+        if package.extension().is_some_and(|ending| ending == "deb") {
+            run_in(
+                &partial,
+                Command::new("dpkg-deb")
+                    .arg("-x")
+                    .arg(&package)
+                    .arg(&partial),
+            )?;
+            let _ = fs::remove_file(&package);
+        }
+    }
+    let _ = fs::remove_dir_all(root);
+    fs::rename(&partial, root).during(|| format!("moving to {}", root.display()))?;
+    Ok(true)
+}
+
+/// The version of the package that holds that release.
+fn packaged(runner: &dyn Runner) -> Option<String> {
+    if !runner.has("apt-get") || !runner.has("dpkg-deb") {
+        return None;
+    }
+    let versions = runner.capture(&["apt-cache", "madison", "rustc-web"])?;
+    versions
+        .stdout
+        .lines()
+        .filter_map(|line| line.split('|').nth(1).map(str::trim))
+        .find(|version| distribution::release(version) == Some(OLDEST))
+        .map(str::to_string)
+}
+
+fn run_in(folder: &Path, command: &mut Command) -> Outcome<()> {
+    let output = command
+        .current_dir(folder)
+        .output()
+        .during(|| format!("starting {}", command::shown(command)))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    Err(Failure::incomplete(format!(
+        "{} failed:\n{}",
+        command::shown(command),
+        String::from_utf8_lossy(&output.stderr)
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::Finished;
+    use std::time::Duration;
+
+    struct Says(&'static str);
+
+    impl Runner for Says {
+        fn has(&self, _: &str) -> bool {
+            true
+        }
+        fn capture(&self, _: &[&str]) -> Option<Finished> {
+            Some(Finished {
+                success: true,
+                stdout: self.0.to_string(),
+                stderr: String::new(),
+            })
+        }
+        fn show(&self, _: &[&str], _: Option<Duration>) -> bool {
+            false
+        }
+    }
+
+    #[test]
+    fn the_packaged_version_is_that_release_and_no_other() {
+        let both = Says(
+            " rustc-web | 1.96.0+dfsg1-1~deb12u2 | http://example.org stable-security/main\n \
+             rustc-web | 1.85.0+dfsg3-1~deb12u3 | http://example.org stable/main\n",
+        );
+        assert_eq!(packaged(&both).as_deref(), Some("1.85.0+dfsg3-1~deb12u3"));
+        assert_eq!(packaged(&Says(" rustc-web | 1.96.0+dfsg1 | x\n")), None);
+        assert_eq!(packaged(&Says("")), None);
+    }
+
+    #[test]
+    fn toolchains_of_rustup() {
+        let name = |list| rustup_toolchain(&Says(list));
+        assert_eq!(
+            name("stable-x86_64 (active)\n1.85.1-x86_64\n"),
+            Some("1.85.1-x86_64".into())
+        );
+        assert_eq!(name("1.85-x86_64\n"), Some("1.85-x86_64".into()));
+        assert_eq!(name("1.850.0-x86_64\nstable-x86_64\n"), None);
+    }
+}

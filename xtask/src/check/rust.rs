@@ -1,0 +1,126 @@
+//! Steps over the Rust crates.
+
+use std::process::Command;
+
+use super::counts::{self, Tally};
+use super::{Bench, Step, step};
+use crate::board::{ARITHMETICS, BOARDS, Board};
+use crate::command::{self, Machine};
+use crate::failure::{Failure, Outcome};
+use crate::firmware::{self, Order};
+use crate::host_sim::HostSim;
+use crate::setup::deny;
+
+/// Sets of the firmware's further features that are linted, beside the plain one.
+const FEATURES: [&str; 4] = ["rgb565", "defmt", "provoke-panic", "provoke-hardfault"];
+
+/// Lock file, format, lints: what fails most, and soonest.
+pub fn style() -> Vec<Step> {
+    let mut steps = vec![
+        step("lock file", |bench| {
+            let mut cargo = cargo(bench, &["metadata", "--locked", "--format-version", "1"]);
+            bench.finish("lock-file", &mut cargo).map(|_| Tally::PASSED)
+        }),
+        step("format", |bench| {
+            bench
+                .finish("format", &mut cargo(bench, &["fmt", "--all", "--check"]))
+                .map(|_| Tally::PASSED)
+        }),
+        step("lints, host", |bench| {
+            let mut cargo = cargo(
+                bench,
+                &["clippy", "--workspace", "--all-targets", "--locked"],
+            );
+            cargo.args(["--", "-D", "warnings"]);
+            bench
+                .finish("lints-host", &mut cargo)
+                .map(|_| Tally::PASSED)
+        }),
+    ];
+    for board in BOARDS {
+        steps.push(step(format!("lints, {}", board.name), move |bench| {
+            lint(bench, board)
+        }));
+    }
+    steps
+}
+
+/// Clippy over the firmware for a board, plain and with each further feature.
+fn lint(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
+    let host = HostSim::build(bench.layout)?;
+    let scene = bench.layout.at("scenes/demo.toml");
+    let baked = firmware::bake(bench.layout, &host, &scene, ARITHMETICS[0])?;
+    let mut tally = Tally::default();
+    for extra in std::iter::once(None).chain(FEATURES.map(Some)) {
+        let order = Order {
+            board,
+            scene: scene.clone(),
+            arithmetic: ARITHMETICS[0].to_string(),
+            features: extra.iter().map(ToString::to_string).collect(),
+        };
+        let mut cargo = bench.cross.cargo(bench.layout, "clippy", board.target);
+        cargo
+            .args(["--locked", "--package", "microbrdf-firmware", "--features"])
+            .arg(order.feature_list())
+            .args(["--", "-D", "warnings"])
+            .env("MICROBRDF_SCENE_RS", &baked);
+        let name = format!("lints-{}-{}", board.name, extra.unwrap_or("plain"));
+        bench.finish(&name, &mut cargo)?;
+        tally += Tally::PASSED;
+    }
+    Ok(tally)
+}
+
+/// The tests that run on the host, with overflow checks as the profile says.
+pub fn tests() -> Vec<Step> {
+    vec![step("host tests", |bench| {
+        let mut cargo = cargo(
+            bench,
+            &["test", "--workspace", "--locked", "--no-fail-fast"],
+        );
+        let output = bench.finish("host-tests", &mut cargo)?;
+        for line in output
+            .lines()
+            .filter(|line| line.starts_with("test result:"))
+        {
+            println!("{line}");
+        }
+        let tally = counts::read(&output);
+        if tally.passed == 0 {
+            return Err(Failure::incomplete("cargo test ran no test"));
+        }
+        Ok(tally)
+    })]
+}
+
+/// Documents, the package, licences: what a release needs.
+pub fn release() -> Vec<Step> {
+    vec![
+        step("documents", |bench| {
+            let mut cargo = cargo(bench, &["doc", "--workspace", "--no-deps", "--locked"]);
+            cargo.env("RUSTDOCFLAGS", "-D warnings");
+            bench.finish("documents", &mut cargo).map(|_| Tally::PASSED)
+        }),
+        step("package", |bench| {
+            // Builds what would be published, from the packed archive; work in progress may be packed too.
+            let mut cargo = cargo(bench, &["package", "--locked", "--allow-dirty"]);
+            cargo.args(["--package", "microbrdf"]);
+            bench.finish("package", &mut cargo).map(|_| Tally::PASSED)
+        }),
+        step("licences and sources", |bench| {
+            let program = deny::program(bench.layout, &Machine)
+                .ok_or_else(|| Failure::lacking("cargo-deny is missing"))?;
+            let mut deny = Command::new(program);
+            deny.current_dir(bench.layout.root());
+            // Advisories need a database that is fetched from elsewhere than the registry.
+            deny.args(["--locked", "check", "licenses", "bans", "sources"]);
+            bench.finish("licences", &mut deny).map(|_| Tally::PASSED)
+        }),
+    ]
+}
+
+fn cargo(bench: &Bench<'_>, arguments: &[&str]) -> Command {
+    let mut cargo = command::host_cargo(bench.layout.root());
+    cargo.args(arguments);
+    cargo
+}
