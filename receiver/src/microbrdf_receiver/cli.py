@@ -72,7 +72,7 @@ def _seconds(text: str) -> float:
 def _png(text: str) -> Path:
     path = Path(text)
     if path.suffix.lower() != ".png" or not path.stem:
-        raise argparse.ArgumentTypeError(f"{text!r} must end in .png")
+        raise argparse.ArgumentTypeError(f"{text!r} is no name of a picture, must end in .png")
     return path
 
 

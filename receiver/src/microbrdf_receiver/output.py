@@ -25,7 +25,7 @@ def check_writable(option: str, path: Path) -> None:
         raise CommandError(ENVIRONMENT, f"{option} {path}: no permission to write into {folder}")
 
 
-def write_whole(path: Path, write: Callable[[BinaryIO], None]) -> None:
+def write_whole(path: Path, write: Callable[[BinaryIO], object]) -> None:
     """Write a file beside its place and move it there once it is whole.
 
     Raises:

@@ -100,7 +100,8 @@ def _explained(url: str, error: BaseException) -> CommandError:
     if number == errno.EBUSY:
         return CommandError(ENVIRONMENT, f"PORT {url}: another program has it open")
     if "://" in url:
-        return CommandError(USER_MISTAKE, f"PORT {url}: cannot be opened: {error}")
+        form = "; the form is socket://HOST:PORT" if url.startswith("socket:") else ""
+        return CommandError(USER_MISTAKE, f"PORT {url}: cannot be opened: {error}{form}")
     if number == errno.ENOENT:
         reason = "there is no such port"
     else:

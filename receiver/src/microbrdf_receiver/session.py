@@ -6,7 +6,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from tqdm import tqdm
 
@@ -78,7 +78,7 @@ class Session:
         if self._frames == 0:
             self._write_report(None)
         if self._wishes.log is not None:
-            write_whole(self._wishes.log, lambda file: _write(file, bytes(self._log)))
+            write_whole(self._wishes.log, lambda file: file.write(self._log))
         if self._frames < self._wishes.frames:
             self._all_whole = False
             self._say(f"frames received: {self._frames} of {self._wishes.frames}")
@@ -175,11 +175,7 @@ class Session:
         if self._wishes.report is not None:
             path = numbered(self._wishes.report, max(self._frames, 1), self._wishes.frames)
             text = as_json(frame, self._assembler.counts, self._fault)
-            write_whole(path, lambda file: _write(file, text.encode()))
+            write_whole(path, lambda file: file.write(text.encode()))
 
     def _say(self, message: str) -> None:
         tqdm.write(f"microbrdf-receive: {message}", file=sys.stderr)
-
-
-def _write(file: BinaryIO, data: bytes) -> None:
-    file.write(data)
