@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Union
 
-from .deframe import DamageError, Deframer
+from .deframe import DELIMITER, DamageError, Deframer
 from .frame import Counts, Frame, Stopped
 from .packets import (
     EndOfFrame,
@@ -78,15 +78,12 @@ class Reassembler:
 
     def feed(self, data: bytes) -> Iterator[Event]:
         """Take in bytes and tell of what comes out of them."""
-        self.counts.bytes_on_wire += len(data)
-        for body in self._deframer.feed(data):
-            if not isinstance(body, DamageError):
-                self._greeted = True
-                yield from self._take(body)
-            elif self._greeted:
-                self.counts.crc_errors += 1
-            else:
-                self.counts.noise += 1
+        *ended, begun = data.split(DELIMITER)
+        # One packet at a time, so that bytes count for the frame they belong to.
+        for piece in (*(piece + DELIMITER for piece in ended), begun):
+            self.counts.bytes_on_wire += len(piece)
+            for body in self._deframer.feed(piece):
+                yield from self._judge(body)
 
     def finish(self, stopped: Stopped) -> Iterator[Event]:
         """End the open frame, if there is one: nothing more will come."""
@@ -95,6 +92,15 @@ class Reassembler:
             frame.stopped = stopped
             frame.counts, self.counts = self.counts, Counts()
             yield FrameEnds(frame)
+
+    def _judge(self, body: bytes | DamageError) -> Iterator[Event]:
+        if not isinstance(body, DamageError):
+            self._greeted = True
+            yield from self._take(body)
+        elif self._greeted:
+            self.counts.crc_errors += 1
+        else:
+            self.counts.noise += 1
 
     def _take(self, body: bytes) -> Iterator[Event]:
         try:

@@ -8,6 +8,9 @@ from collections.abc import Iterator
 from . import cobs
 from .packets import MAX_PACKET
 
+DELIMITER = b"\0"
+"""The byte that separates packets and occurs nowhere else on the wire."""
+
 _CHECKSUM = 4
 _SHORTEST = 1 + _CHECKSUM
 # One code byte, and one more that some encoders add to 254 bytes without a 0.
@@ -30,7 +33,7 @@ class Deframer:
 
     def feed(self, data: bytes) -> Iterator[bytes | DamageError]:
         """Take in bytes; give the bodies of whole packets, and errors for the rest."""
-        *ended, begun = data.split(b"\0")
+        *ended, begun = data.split(DELIMITER)
         for part in ended:
             encoded = bytes(self._pending) + part
             self._pending.clear()
