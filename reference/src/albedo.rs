@@ -127,3 +127,57 @@ pub fn greatest(albedo: &dyn Fn(f64) -> f64) -> (f64, f64) {
     }
     (Direction::from_degrees(best, 0.0).z, value)
 }
+
+/// The direction of incidence at which a model's albedo is greatest, and the albedo there.
+///
+/// A scan of the quarter between the axes (one azimuth for isotropic models), then
+/// golden-section search over the angle. Of a coloured model the luminance counts.
+pub fn greatest_albedo<B: Brdf + ?Sized>(brdf: &B) -> (Direction, Estimate) {
+    let azimuths: &[f64] = if brdf.is_isotropic() {
+        &[0.0]
+    } else {
+        &[0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0]
+    };
+    let at = |degrees: f64, phi: f64, accuracy: Accuracy| {
+        directional_albedo_for(brdf, &Direction::from_degrees(degrees, phi), accuracy)
+    };
+    let mut best = (0.0, 0.0, at(0.0, 0.0, Accuracy::COARSE).value);
+    const STEP: f64 = 2.0;
+    for &phi in azimuths {
+        for i in 1..=45 {
+            let degrees = STEP * f64::from(i);
+            let a = at(degrees, phi, Accuracy::COARSE).value;
+            if a > best.2 + 1e-9 {
+                best = (degrees, phi, a);
+            }
+        }
+    }
+    let phi = best.1;
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut low, mut high) = ((best.0 - STEP).max(0.0), (best.0 + STEP).min(90.0));
+    for _ in 0..24 {
+        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
+        if at(a, phi, Accuracy::FINE).value > at(b, phi, Accuracy::FINE).value {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    let candidates = [best.0, 0.5 * (low + high), 90.0, 0.0];
+    candidates
+        .into_iter()
+        .map(|degrees| {
+            (
+                Direction::from_degrees(degrees, phi),
+                at(degrees, phi, Accuracy::FINE),
+            )
+        })
+        .max_by(|a, b| a.1.value.total_cmp(&b.1.value))
+        .expect("four candidates")
+}
+
+/// The greatest constant by which a model may be multiplied and still conserve energy:
+/// 1 over its greatest albedo.
+pub fn greatest_constant<B: Brdf + ?Sized>(brdf: &B) -> f64 {
+    1.0 / greatest_albedo(brdf).1.value
+}

@@ -9,6 +9,7 @@
 //! | [`direction`] | directions in the shading frame (N is +z) |
 //! | [`brdf`] | the trait [`Brdf`]: `eval`, `reflect`, `rho`, `peak` |
 //! | [`geometry`] | versine, patch metric, cosΘmin, bounded ratio |
+//! | [`half`] | the half vector |
 //! | [`models`] | the models, one a file |
 //! | [`fresnel`] | exact Fresnel equations |
 //! | [`mod@albedo`] | directional and mean albedo by quadrature |
@@ -27,6 +28,7 @@ pub mod direction;
 pub mod error;
 pub mod fresnel;
 pub mod geometry;
+pub mod half;
 pub mod models;
 pub mod quadrature;
 pub mod special;

@@ -4,7 +4,7 @@ use crate::error::within;
 use crate::geometry::{below_horizon, metric_squared};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// The exponential patch model with sharpness s, 0 … 1e8; s = 0 is Lambert.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +44,54 @@ impl PatchExponential {
     /// The sharpness s.
     pub fn sharpness(&self) -> f64 {
         self.sharpness
+    }
+
+    /// The weight of the ideal diffuse part, π C e^(−2s) (Table 4.1).
+    pub fn diffuse_weight(&self) -> f64 {
+        PI * self.constant * (-2.0 * self.sharpness).exp()
+    }
+
+    /// p(R) = π C s e^(−s·R) min(1, R²) (4.47), a density on 0 < R < 2 whose mass is
+    /// 1 − [`Self::diffuse_weight`]; the rest is at R = 2.
+    pub fn density(&self, r: f64) -> f64 {
+        let s = self.sharpness;
+        PI * self.constant * s * (-s * r).exp() * (r * r).min(1.0)
+    }
+
+    /// F(R) = ∫₀ᴿ p (4.27) for R of 0 … 2, before the jump to 1 at R = 2.
+    pub fn cumulative(&self, r: f64) -> f64 {
+        let s = self.sharpness;
+        if s == 0.0 || r <= 0.0 {
+            return 0.0;
+        }
+        let x = s * r.min(1.0);
+        // ∫₀ˣ t²e^(−t) dt = 2 − e^(−x)(x² + 2x + 2), by its series for small x.
+        let gamma = if x > 1.0 {
+            2.0 - (-x).exp() * (x * x + 2.0 * x + 2.0)
+        } else {
+            let mut term = x * x * x / 6.0;
+            let mut sum = 0.0;
+            for k in 4..30 {
+                sum += term;
+                term *= x / f64::from(k);
+            }
+            2.0 * (-x).exp() * sum
+        };
+        let below = gamma / (s * s);
+        let above = if r > 1.0 {
+            (-s).exp() - (-s * r.min(2.0)).exp()
+        } else {
+            0.0
+        };
+        PI * self.constant * (below + above)
+    }
+
+    /// F⁻¹(u) for u of 0 … 1: the radius to draw; 2 for u beyond 1 − [`Self::diffuse_weight`].
+    pub fn inverse(&self, u: f64) -> f64 {
+        if u >= self.cumulative(2.0) {
+            return 2.0;
+        }
+        crate::quadrature::find_root(&mut |r| self.cumulative(r) - u, 0.0, 2.0)
     }
 
     fn lobe(&self, l: &Direction, v: &Direction) -> f64 {
@@ -108,6 +156,34 @@ mod tests {
             Direction::from_degrees(70.0, 99.0),
         );
         assert_eq!(m.eval(&l, &v), lambert.eval(&l, &v));
+    }
+
+    #[test]
+    fn the_cumulative_density_is_the_densitys_integral() {
+        for s in [1e-6, 0.25, 2.0, 12.0, 300.0] {
+            let m = PatchExponential::new(s).unwrap();
+            for (a, b) in [(0.0, 0.01), (0.01, 0.3), (0.3, 1.0), (1.0, 1.7), (1.7, 2.0)] {
+                let e = crate::quadrature::adaptive(
+                    &mut |r| crate::Estimate {
+                        value: m.density(r),
+                        error: 0.0,
+                    },
+                    &[a, b],
+                    1e-15,
+                    100,
+                );
+                let difference = m.cumulative(b) - m.cumulative(a);
+                assert!((e.value - difference).abs() < 1e-13, "s = {s}, {a} to {b}");
+            }
+            assert!(
+                (m.cumulative(2.0) + m.diffuse_weight() - 1.0).abs() < 1e-13,
+                "s = {s}"
+            );
+            for u in [0.1, 0.5, 0.9, 1.0] {
+                let r = m.inverse(u);
+                assert!(r == 2.0 || (m.cumulative(r) - u).abs() < 1e-14);
+            }
+        }
     }
 
     #[test]

@@ -1,0 +1,99 @@
+//! Plastic with a Fresnel term, f = a_d/π + a_s c_n cosⁿα/cosΘmin F(Θmin) (3.30).
+
+use crate::brdf::luminance;
+use crate::error::{channels_within, within};
+use crate::fresnel::Index;
+use crate::geometry::{below_horizon, cos_theta_min};
+use crate::models::{Energy, PModel};
+use crate::quadrature::Chart;
+use crate::{Brdf, Direction, ParameterError};
+use std::f64::consts::FRAC_1_PI;
+
+/// A Lambertian body under a highlight with a (usually real) index.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlasticFresnel {
+    albedo: [f64; 3],
+    specular: f64,
+    index: Index,
+    shape: PModel,
+}
+
+impl PlasticFresnel {
+    /// a_d of each channel and a_s, 0 … 1 with greatest sum 1, the index, exponent 0 … 1e8.
+    pub fn new(
+        albedo: [f64; 3],
+        specular: f64,
+        exponent: f64,
+        index: Index,
+    ) -> Result<Self, ParameterError> {
+        let albedo = channels_within("albedo", albedo, 0.0, 1.0)?;
+        let room = 1.0 - albedo[0].max(albedo[1]).max(albedo[2]);
+        Ok(Self {
+            albedo,
+            specular: within("specular", specular, 0.0, room + f64::EPSILON)?,
+            index,
+            shape: PModel::new(exponent, 1.0, Energy::Published)?,
+        })
+    }
+}
+
+impl Brdf for PlasticFresnel {
+    fn eval(&self, l: &Direction, v: &Direction) -> f64 {
+        let f = self.eval_rgb(l, v);
+        if self.is_coloured() {
+            luminance(f)
+        } else {
+            f[0]
+        }
+    }
+
+    fn eval_rgb(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+        if below_horizon(l, v) {
+            return [0.0; 3];
+        }
+        let fresnel = self.index.reflectance(cos_theta_min(l, v));
+        let highlight = self.specular * fresnel * self.shape.eval(l, v);
+        self.albedo
+            .map(|a| (a * FRAC_1_PI + highlight).min(f64::MAX))
+    }
+
+    fn reflect(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+        if below_horizon(l, v) {
+            return [0.0; 3];
+        }
+        let fresnel = self.index.reflectance(cos_theta_min(l, v));
+        let highlight = self.specular * fresnel * self.shape.reflect(l, v)[0];
+        self.albedo.map(|a| a * FRAC_1_PI * l.z + highlight)
+    }
+
+    fn is_coloured(&self) -> bool {
+        self.albedo[0] != self.albedo[1] || self.albedo[0] != self.albedo[2]
+    }
+
+    fn chart(&self, l: &Direction) -> Chart {
+        self.shape.chart(l)
+    }
+
+    fn creases(&self, l: &Direction, v: &Direction, out: &mut Vec<f64>) {
+        self.shape.creases(l, v, out);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_highlight_brightens_towards_grazing() {
+        let glass = Index::new(1.5, 0.0).unwrap();
+        let m = PlasticFresnel::new([0.3, 0.2, 0.1], 0.7, 100.0, glass).unwrap();
+        let highlight = |degrees: f64| {
+            let l = Direction::from_degrees(degrees, 0.0);
+            m.reflect(&l, &l.mirrored())[2] - 0.1 * FRAC_1_PI * l.z
+        };
+        let c = 102.0 / std::f64::consts::TAU;
+        assert!((highlight(0.0) - 0.7 * 0.04 * c).abs() < 1e-12);
+        assert!(highlight(85.0) > 10.0 * highlight(0.0));
+        assert!(PlasticFresnel::new([0.4; 3], 0.7, 9.0, glass).is_err());
+    }
+}
