@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use microbrdf::arithmetic::Arithmetic;
 use microbrdf::geometry::Direction;
 use microbrdf::table::CosineCurve;
 
@@ -39,7 +38,7 @@ pub fn bake<A: HostArithmetic>(description: &Description) -> Result<String, Stri
     {
         material::<A>(code, index, name, coat);
     }
-    materials::<A>(code, prepared.coats.len());
+    materials(code, prepared.coats.len());
     scene::<A>(code, &prepared);
     Ok(out)
 }
@@ -204,7 +203,7 @@ fn model<A: HostArithmetic>(part: &PreparedPart<A>) -> (String, String) {
 }
 
 /// The scene's own closed set of materials.
-fn materials<A: HostArithmetic>(code: &mut String, count: usize) {
+fn materials(code: &mut String, count: usize) {
     let each = |text: &dyn Fn(usize) -> String| (0..count).map(text).collect::<String>();
     let variants = each(&|i| format!("    Material{i}(&'static Material{i}),\n"));
     let arms =

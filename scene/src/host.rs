@@ -11,7 +11,21 @@ use microbrdf::shade::Tracing;
 
 /// What a host adds to an arithmetic: conversion of every quantity, each
 /// rounded once, and how its constants are written in Rust.
-pub trait HostArithmetic: Tracing {
+pub trait HostArithmetic:
+    Tracing<
+        Component: Send + Sync,
+        Length: Send + Sync,
+        Fine: Send + Sync,
+        Gain: Send + Sync,
+        Power: Send + Sync,
+        Scale: Send + Sync,
+        Unit: Send + Sync,
+        Separation: Send + Sync,
+        Profile: Send + Sync,
+        CosinePower: Send + Sync,
+    > + Send
+    + Sync
+{
     /// Its type, in generated Rust.
     const TYPE: &'static str;
 

@@ -1,7 +1,6 @@
 //! A description in one arithmetic's numbers.
 
 use microbrdf::ParameterError;
-use microbrdf::Rgb;
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{Camera, LINEAR_ONE, Linear, Plane, Sphere};
 use microbrdf::table::CosineCurve;

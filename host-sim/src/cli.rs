@@ -1,0 +1,191 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::arithmetic::ArithmeticName;
+
+/// Renders, compares and inspects what a microcontroller shades.
+///
+/// Exit status: 0 done; 1 ran, but the result is incomplete or differs; 2 a
+/// mistake in the call or in a file; 3 the environment lacks something.
+#[derive(Debug, Parser)]
+#[command(
+    name = "microbrdf",
+    version,
+    after_help = "Example: microbrdf render scenes/demo.toml --arithmetic q31 -o demo.png"
+)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Renders a scene to a PNG, just as a device does.
+    #[command(
+        after_help = "Example: microbrdf render scenes/demo.toml --arithmetic q31 -o demo.png"
+    )]
+    Render(Render),
+    /// Measures renderings against the double precision reference.
+    #[command(after_help = "Example: microbrdf compare scenes/demo.toml --arithmetic f32,q31")]
+    Compare(Compare),
+    /// Evaluates a material for directions on standard input.
+    #[command(
+        after_help = "Each line is lx,ly,lz,vx,vy,vz in the shading frame (N is +z): L to the \
+        light, V to the viewer, of any length.\n\n\
+        Example: echo 0.6,0,0.8,-0.6,0,0.8 | \
+        microbrdf eval --material 'model = \"metallic-phong\", exponent = 20' --arithmetic q31"
+    )]
+    Eval(Eval),
+    /// Prints the directional albedo of a material as an arithmetic computes it.
+    #[command(
+        after_help = "Example: microbrdf albedo --material 'model = \"patch\", radius = 0.5' \
+        --arithmetic q31 --angles 0,30,60,89.9 --mean"
+    )]
+    Albedo(Albedo),
+    /// Acts as a microcontroller would on the wire.
+    #[command(
+        after_help = "Example: microbrdf device scenes/demo.toml --tcp 127.0.0.1:7777, and \
+        elsewhere microbrdf-receive socket://127.0.0.1:7777 -o demo.png"
+    )]
+    Device(Device),
+    /// Writes a scene as Rust source for firmware.
+    #[command(after_help = "Example: microbrdf bake scenes/demo.toml --arithmetic q31 -o scene.rs")]
+    Bake(Bake),
+}
+
+/// `render`.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// Scene file.
+    pub scene: PathBuf,
+    /// How to compute; `reference` is double precision.
+    #[arg(long, default_value = "q31")]
+    pub arithmetic: String,
+    /// PNG to write, 8-bit sRGB.
+    #[arg(short, long, required_unless_present = "panel")]
+    pub output: Option<PathBuf>,
+    /// PNG to write of the 128 x 64 grey panel as the emulator shows it.
+    #[arg(long)]
+    pub panel: Option<PathBuf>,
+}
+
+/// `compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Scene file.
+    pub scene: PathBuf,
+    /// What to compare with the reference, several parted by commas.
+    #[arg(long, value_delimiter = ',', default_value = "f32,q31")]
+    pub arithmetic: Vec<ArithmeticName>,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Measure this picture, which a device sent, and tell whether it equals
+    /// the host's; needs one --arithmetic.
+    #[arg(long)]
+    pub device: Option<PathBuf>,
+    /// Folder for host.png, reference.png and error.png (with several
+    /// arithmetics host-A.png and error-A.png).
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+}
+
+/// What `eval` prints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Quantity {
+    /// f in 1/sr, without the cosine.
+    Brdf,
+    /// f·cosΘL, reflected radiance for unit normal irradiance.
+    Reflect,
+    /// The display code of clamp(K·ρ, 0, 1), ρ = reflect / peak.
+    Code,
+}
+
+/// How `eval` encodes codes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Encoding {
+    /// 8-bit sRGB.
+    Srgb,
+    /// 8-bit linear light.
+    Linear,
+}
+
+/// `eval`.
+#[derive(Debug, Args)]
+pub struct Eval {
+    /// Material: a TOML table written inline, or a file that holds one.
+    #[arg(long)]
+    pub material: String,
+    /// How to compute; `reference` is double precision.
+    #[arg(long, default_value = "q31")]
+    pub arithmetic: String,
+    /// What to print.
+    #[arg(long, value_enum, default_value = "brdf")]
+    pub quantity: Quantity,
+    /// K of --quantity code, 1e-3 to 2e7.
+    #[arg(long, default_value_t = 1.0)]
+    pub exposure: f64,
+    /// Encoding of --quantity code.
+    #[arg(long, value_enum, default_value = "srgb")]
+    pub encoding: Encoding,
+    /// Print the six components as rounded before the values.
+    #[arg(long)]
+    pub print_directions: bool,
+}
+
+/// `albedo`.
+#[derive(Debug, Args)]
+pub struct Albedo {
+    /// Material: a TOML table written inline, or a file that holds one.
+    #[arg(long)]
+    pub material: String,
+    /// How to compute; `reference` is double precision.
+    #[arg(long, default_value = "q31")]
+    pub arithmetic: String,
+    /// Angles from the normal in degrees, 0 to 90, parted by commas.
+    #[arg(long, value_delimiter = ',', required = true)]
+    pub angles: Vec<f64>,
+    /// Print the mean albedo, too.
+    #[arg(long)]
+    pub mean: bool,
+}
+
+/// `device`.
+#[derive(Debug, Args)]
+pub struct Device {
+    /// Scene file.
+    pub scene: PathBuf,
+    /// How to compute.
+    #[arg(long, default_value = "q31")]
+    pub arithmetic: ArithmeticName,
+    /// Open a pseudo-terminal and print its path.
+    #[arg(long, conflicts_with = "tcp", required_unless_present = "tcp")]
+    pub pty: bool,
+    /// Listen on this address, such as 127.0.0.1:7777, for one receiver.
+    #[arg(long)]
+    pub tcp: Option<String>,
+    /// Frames to send without being asked; then one for each byte received.
+    #[arg(long, default_value_t = 1)]
+    pub frames: u16,
+    /// Send RGB565 instead of 8-bit sRGB.
+    #[arg(long)]
+    pub rgb565: bool,
+}
+
+/// `bake`.
+#[derive(Debug, Args)]
+pub struct Bake {
+    /// Scene file.
+    pub scene: PathBuf,
+    /// How the firmware is to compute.
+    #[arg(long, default_value = "q31")]
+    pub arithmetic: ArithmeticName,
+    /// Rust file to write.
+    #[arg(short, long)]
+    pub output: PathBuf,
+}

@@ -1,0 +1,90 @@
+//! Pictures as the core computes them.
+
+use microbrdf::shade::Linear;
+use microbrdf_scene::{Description, HostArithmetic, SceneParts};
+use rayon::prelude::*;
+
+use crate::arithmetic::{ArithmeticName, with_arithmetic};
+use crate::exit::{Failure, Outcome};
+use crate::picture::Picture;
+use crate::progress::Progress;
+
+/// Columns and rows of the grey panel.
+const PANEL: [usize; 2] = [128, 64];
+/// How many times the emulated panel is enlarged on each side.
+const PANEL_MAGNIFICATION: usize = 4;
+
+/// A scene's pixels in linear light, row by row.
+pub struct Frame {
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Pixels from the top left.
+    pub pixels: Vec<Linear>,
+}
+
+/// Shades the scene in an arithmetic.
+pub fn frame(description: &Description, arithmetic: ArithmeticName) -> Outcome<Frame> {
+    with_arithmetic!(arithmetic, A => shade::<A>(description))
+}
+
+fn shade<A: HostArithmetic>(description: &Description) -> Outcome<Frame> {
+    let prepared = description.prepare::<A>().map_err(Failure::Usage)?;
+    let parts = SceneParts::new(prepared);
+    let surfaces = parts.surfaces();
+    let scene = parts.scene(&surfaces);
+    let (width, height) = (
+        usize::from(description.camera.width),
+        usize::from(description.camera.height),
+    );
+    let progress = Progress::new("shading", height);
+    let rows = (0..height).into_par_iter().map(|y| {
+        let mut row = vec![Linear::default(); width];
+        scene.shade_row(y, |x, light| row[x] = light);
+        progress.step();
+        row
+    });
+    let pixels = rows.flatten_iter().collect();
+    Ok(Frame {
+        width,
+        height,
+        pixels,
+    })
+}
+
+impl Frame {
+    /// The picture in 8-bit sRGB.
+    pub fn srgb(&self) -> Picture {
+        Picture {
+            width: self.width,
+            height: self.height,
+            pixels: self.pixels.iter().map(|pixel| pixel.srgb8()).collect(),
+        }
+    }
+
+    /// The grey panel as its photograph shows it: each of its pixels the mean
+    /// of a 2 x 2 box in linear light, in one of 16 levels; black where the
+    /// frame has no pixel.
+    pub fn panel(&self) -> Picture {
+        let [width, height] = PANEL;
+        let pixels = (0..width * height).map(|i| {
+            let (x, y) = (i % width, i / width);
+            if 2 * x + 1 >= self.width || 2 * y + 1 >= self.height {
+                return [0; 3];
+            }
+            let light = |dx: usize, dy: usize| {
+                self.pixels[(2 * y + dy) * self.width + 2 * x + dx].luminance()
+            };
+            let mean = (light(0, 0) + light(1, 0) + light(0, 1) + light(1, 1)) / 4;
+            // The levels are shown 17 codes apart.
+            [17 * microbrdf::shade::grey16(mean, x, y); 3]
+        });
+        Picture {
+            width,
+            height,
+            pixels: pixels.collect(),
+        }
+        .magnified(PANEL_MAGNIFICATION)
+    }
+}
