@@ -2,13 +2,14 @@
 
 pub mod qmp;
 
+use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use serde_json::json;
 
 use crate::board::Board;
-use crate::failure::{Failure, Outcome};
+use crate::failure::{During, Failure, Outcome};
 use qmp::Qmp;
 
 /// Name of the serial line in QEMU.
@@ -23,19 +24,13 @@ pub struct Emulator {
 
 impl Emulator {
     /// Loads the image and halts before its first instruction.
+    /// What QEMU itself has to say goes into a file beside the image, and is shown where it does not start.
     pub fn halted(board: &Board, elf: &Path) -> Outcome<Self> {
+        let log = elf.with_extension("qemu.log");
+        let messages = File::create(&log).during(|| format!("creating {}", log.display()))?;
         let mut child = Command::new("qemu-system-arm")
             .args(["-M", board.name, "-S"])
-            .args([
-                "-display",
-                "none",
-                "-monitor",
-                "none",
-                "-parallel",
-                "none",
-                "-nic",
-                "none",
-            ])
+            .args(["-display", "none", "-monitor", "none", "-parallel", "none"])
             .args(["-qmp", "stdio"])
             // Port 0: the system picks a free one, so that any number of emulators can run.
             .args([
@@ -47,6 +42,7 @@ impl Emulator {
             .arg(elf)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
+            .stderr(messages)
             .spawn()
             .map_err(|e| Failure::lacking(format!("qemu-system-arm cannot be started: {e}")))?;
         let pipes = child.stdout.take().zip(child.stdin.take());
@@ -57,7 +53,11 @@ impl Emulator {
             Ok(monitor) => Ok(Self { child, monitor }),
             Err(failure) => {
                 end(&mut child);
-                Err(failure)
+                let said = fs::read_to_string(&log).unwrap_or_default();
+                Err(Failure::lacking(format!(
+                    "{failure}; it said: {}",
+                    said.trim()
+                )))
             }
         }
     }

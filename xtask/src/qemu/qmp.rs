@@ -55,7 +55,7 @@ impl<R: Read, W: Write> Qmp<R, W> {
             .read_line(&mut line)
             .during(|| "listening to QEMU".to_string())?;
         if length == 0 {
-            return Err(Failure::incomplete("QEMU ended (its message is above)"));
+            return Err(Failure::incomplete("QEMU ended"));
         }
         serde_json::from_str(&line).during(|| format!("reading what QEMU said, {line:?}"))
     }

@@ -143,14 +143,14 @@ fn carry_out(
         }
     }
     for local in &plan.local {
-        make(layout, purpose, runner, *local)?;
+        make(layout, purpose, runner, local)?;
     }
     Ok(Step::Done)
 }
 
-fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: Local) -> Outcome<()> {
+fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: &Local) -> Outcome<()> {
     match local {
-        Local::Sysroot(target) => {
+        Local::Sysroot(targets) => {
             let compiler =
                 distribution::installed(runner, purpose == Purpose::Test).ok_or_else(|| {
                     Failure::lacking(format!(
@@ -159,7 +159,7 @@ fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: Local) ->
                         toolchain::OLDEST.1
                     ))
                 })?;
-            sysroot::build(layout, &compiler, target)
+            sysroot::build(layout, &compiler, targets)
         }
         Local::Venv => python::install(layout),
         Local::CargoDeny => deny::install(layout),

@@ -18,10 +18,10 @@ pub struct Plan {
 }
 
 /// Something made under `target/`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Local {
-    /// `core` for a target, from the distribution's source.
-    Sysroot(&'static str),
+    /// `core` for some targets, from the distribution's source.
+    Sysroot(Vec<&'static str>),
     /// The virtual environment with the receiver.
     Venv,
     /// cargo-deny, from crates.io.
@@ -30,9 +30,14 @@ pub enum Local {
 
 impl Local {
     /// In words.
-    pub fn words(self) -> String {
+    pub fn words(&self) -> String {
         match self {
-            Self::Sysroot(target) => format!("core for {target}, built from source (about 20 s)"),
+            Self::Sysroot(targets) => {
+                format!(
+                    "core for {}, built from source (about 30 s each)",
+                    targets.join(", ")
+                )
+            }
             Self::Venv => "virtual environment with the receiver (target/venv)".to_string(),
             Self::CargoDeny => {
                 format!(
@@ -96,12 +101,11 @@ impl Plan {
         };
         if let Some(compiler) = compiler {
             let folder = sysroot::folder(layout, &compiler);
-            self.local.extend(
-                targets
-                    .iter()
-                    .filter(|target| !sysroot::holds(&folder, target))
-                    .map(|target| Local::Sysroot(target)),
-            );
+            let missing = targets
+                .iter()
+                .copied()
+                .filter(|target| !sysroot::holds(&folder, target));
+            self.local.push(Local::Sysroot(missing.collect()));
         } else if asked == Some(Way::Active)
             || (asked.is_none() && !rustup_failed && active::from_rustup(runner))
         {
@@ -116,8 +120,7 @@ impl Plan {
             if clippy {
                 self.packages.push((family.clippy, "lints of the firmware"));
             }
-            self.local
-                .extend(targets.iter().map(|target| Local::Sysroot(target)));
+            self.local.push(Local::Sysroot(targets.to_vec()));
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! `core` and `alloc` built once from the distribution's source, kept in a folder that the compiler takes as its sysroot.
+//! `core` built once from the distribution's source, kept in a folder that the compiler takes as its sysroot.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,27 +37,21 @@ fn libraries(sysroot: &Path, target: &str) -> PathBuf {
     sysroot.join("lib/rustlib").join(target).join("lib")
 }
 
-/// Builds `core` and `alloc` for a target. Interrupted, it leaves nothing that `holds` would take for whole.
-pub fn build(layout: &Layout, compiler: &Compiler, target: &str) -> Outcome<()> {
-    let sysroot = folder(layout, compiler);
+/// Builds `core` for some targets at once. Interrupted, it leaves nothing that `holds` would take for whole.
+pub fn build(layout: &Layout, compiler: &Compiler, targets: &[&str]) -> Outcome<()> {
     let scratch = layout.target().join("sysroot").join("build");
-    fs::create_dir_all(&scratch).during(|| format!("creating {}", scratch.display()))?;
-    let write = |name: &str, text: &str| {
-        let path = scratch.join(name);
-        fs::write(&path, text).during(|| format!("writing {}", path.display()))
-    };
-    // An empty crate, built only for what cargo builds before it.
-    write("lib.rs", "#![no_std]\n")?;
-    write(
-        "Cargo.toml",
-        "[package]\nname = \"sysroot\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\
-         [lib]\npath = \"lib.rs\"\n[workspace]\n",
-    )?;
-    eprintln!("building core for {target} from the distribution's source (once, about 20 s)");
-    let output = compiler
-        .cargo("build")
-        .args(["--release", "--quiet", "--target", target])
-        .args(["-Z", "build-std=core,alloc"])
+    empty_crate(&scratch)?;
+    eprintln!(
+        "building core for {} from the distribution's source (once)",
+        targets.join(", ")
+    );
+    let mut cargo = compiler.cargo("build");
+    for target in targets {
+        cargo.args(["--target", target]);
+    }
+    let output = cargo
+        .args(["--release", "--quiet"])
+        .args(["-Z", "build-std=core"])
         .args(["-Z", "build-std-features=compiler-builtins-mem"])
         .current_dir(&scratch)
         // The released compiler builds its own library only when told that it may.
@@ -70,27 +64,50 @@ pub fn build(layout: &Layout, compiler: &Compiler, target: &str) -> Outcome<()> 
         .during(|| format!("starting cargo beside {}", compiler.rustc.display()))?;
     if !output.status.success() {
         return Err(Failure::lacking(format!(
-            "core for {target} could not be built with {} (at least Rust {}.{} and its source package are needed):\n{}",
+            "core could not be built with {} (at least Rust {}.{} and its source package are needed):\n{}",
             compiler.version,
             super::OLDEST.0,
             super::OLDEST.1,
             String::from_utf8_lossy(&output.stderr)
         )));
     }
-    let made = scratch.join("target").join(target).join("release/deps");
-    let keep = libraries(&sysroot, target);
-    let partial = keep.with_file_name("partial");
+    for target in targets {
+        let made = scratch.join("target").join(target).join("release/deps");
+        keep(&made, &libraries(&folder(layout, compiler), target))?;
+    }
+    let _ = fs::remove_dir_all(&scratch);
+    Ok(())
+}
+
+/// A crate with nothing in it, built only for what cargo builds before it.
+fn empty_crate(folder: &Path) -> Outcome<()> {
+    fs::create_dir_all(folder).during(|| format!("creating {}", folder.display()))?;
+    for (name, text) in [
+        ("lib.rs", "#![no_std]\n"),
+        (
+            "Cargo.toml",
+            "[package]\nname = \"sysroot\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\
+             [lib]\npath = \"lib.rs\"\n[workspace]\n",
+        ),
+    ] {
+        let path = folder.join(name);
+        fs::write(&path, text).during(|| format!("writing {}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// Copies the libraries out of a build; the folder appears only once it is whole.
+fn keep(made: &Path, folder: &Path) -> Outcome<()> {
+    let partial = folder.with_file_name("partial");
     let _ = fs::remove_dir_all(&partial);
     fs::create_dir_all(&partial).during(|| format!("creating {}", partial.display()))?;
-    for entry in fs::read_dir(&made).during(|| format!("reading {}", made.display()))? {
+    for entry in fs::read_dir(made).during(|| format!("reading {}", made.display()))? {
         let entry = entry.during(|| format!("reading {}", made.display()))?;
         let name = entry.file_name().to_string_lossy().into_owned();
         if name.ends_with(".rlib") && !name.starts_with("libsysroot-") {
             fs::copy(entry.path(), partial.join(&name)).during(|| format!("copying {name}"))?;
         }
     }
-    let _ = fs::remove_dir_all(&keep);
-    fs::rename(&partial, &keep).during(|| format!("moving to {}", keep.display()))?;
-    let _ = fs::remove_dir_all(&scratch);
-    Ok(())
+    let _ = fs::remove_dir_all(folder);
+    fs::rename(&partial, folder).during(|| format!("moving to {}", folder.display()))
 }
