@@ -29,6 +29,7 @@ pub fn send_frame<S: Scene, W: Write, P: Panel, L: LogSource>(
         board: board.name,
         core: board.core,
         compiler: board.compiler,
+        exposure: Some(S::EXPOSURE),
         arithmetic: S::ARITHMETIC,
         scene: S::NAME,
         ..Header::new(S::WIDTH, S::HEIGHT, format)

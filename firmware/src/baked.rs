@@ -33,6 +33,7 @@ pub struct Baked;
 impl Scene for Baked {
     const NAME: &'static str = scene::NAME;
     const ARITHMETIC: &'static str = scene::ARITHMETIC;
+    const EXPOSURE: f64 = scene::EXPOSURE as _;
     const WIDTH: u16 = wire_size(scene::WIDTH);
     const HEIGHT: u16 = wire_size(scene::HEIGHT);
 

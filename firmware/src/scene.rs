@@ -8,6 +8,8 @@ pub trait Scene {
     const NAME: &'static str;
     /// Name of the arithmetic that shades it, such as `q31`.
     const ARITHMETIC: &'static str;
+    /// Factor that all light was scaled by; finite.
+    const EXPOSURE: f64;
     /// Pixels in a row, at least 1.
     const WIDTH: u16;
     /// Rows, at least 1.

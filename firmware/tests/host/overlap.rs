@@ -124,7 +124,10 @@ fn assert_frame_is_whole(sent: &[u8]) {
     let mut present = vec![0; Reassembler::present_bytes(WIDTH, HEIGHT)];
     let mut ended: Option<(FrameReport, std::vec::Vec<u8>)> = None;
     Reassembler::new(&mut pixels, &mut present).feed(sent, |event| match event {
-        Event::FrameBegins(header) => assert_eq!((header.scene, header.frame), ("stripes", 7)),
+        Event::FrameBegins(header) => {
+            assert_eq!((header.scene, header.frame), ("stripes", 7));
+            assert_eq!((header.board, header.exposure), ("test", Some(0.75)));
+        }
         Event::FrameEnds(report, picture) => ended = Some((report, picture.bytes().to_vec())),
         Event::Row { .. } => {}
         other => panic!("{other:?}"),

@@ -58,6 +58,7 @@ impl<'l, 'q, const W: u16, const H: u16> Stripes<'l, 'q, W, H> {
 impl<const W: u16, const H: u16> Scene for Stripes<'_, '_, W, H> {
     const NAME: &'static str = "stripes";
     const ARITHMETIC: &'static str = "none";
+    const EXPOSURE: f64 = 0.75;
     const WIDTH: u16 = W;
     const HEIGHT: u16 = H;
 
