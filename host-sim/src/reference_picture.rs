@@ -1,7 +1,7 @@
 //! The scene in double precision, by the reference's models.
 
-use microbrdf_reference::{Brdf, Direction, directional_albedo_rgb, encode_srgb};
-use microbrdf_scene::{Description, Material, camera_frame, half_pixel};
+use microbrdf_reference::{Brdf, Direction, encode_srgb};
+use microbrdf_scene::{AlbedoTable, Description, Material, camera_frame, half_pixel};
 use rayon::prelude::*;
 
 use crate::picture::Picture;
@@ -34,13 +34,9 @@ pub struct Exact {
     pub pixels: Vec<ExactPixel>,
 }
 
-/// Steps of an albedo table over the cosine. The curve's second derivative is
-/// about n/5 at the most, so linear interpolation is off by n·1.5e-9.
-const ALBEDO_STEPS: usize = 4096;
-
 struct Surface {
     model: Box<dyn Brdf + Send + Sync>,
-    albedo: Option<Vec<[f64; 3]>>,
+    albedo: Option<AlbedoTable>,
     /// The patch radius or lobe cut at which the model jumps.
     patch: Option<f64>,
 }
@@ -87,18 +83,7 @@ impl Exact {
 
 fn surface(material: &Material, daylight: bool) -> Surface {
     let model = material.reference();
-    let albedo = daylight.then(|| {
-        let progress = Progress::new("albedo", ALBEDO_STEPS + 1);
-        (0..=ALBEDO_STEPS)
-            .into_par_iter()
-            .map(|step| {
-                let cosine = step as f64 / ALBEDO_STEPS as f64;
-                let albedo = directional_albedo_rgb(&*model, cosine);
-                progress.step();
-                albedo.map(|estimate| estimate.value)
-            })
-            .collect()
-    });
+    let albedo = daylight.then(|| AlbedoTable::new(&*model));
     let patch = match material {
         // R = 2 covers every pair.
         Material::Patch { radius } if *radius < 2.0 => Some(*radius),
@@ -163,7 +148,7 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
     let v = scaled(d, -1.0);
     let mut light = [0.0; 3];
     if let (Some(table), Some(sky)) = (&surface.albedo, description.daylight) {
-        let albedo = interpolate(table, dot(normal, v));
+        let albedo = table.at(dot(normal, v));
         for i in 0..3 {
             light[i] += albedo[i] * sky[i];
         }
@@ -199,13 +184,6 @@ fn to_frame(normal: [f64; 3], l: [f64; 3], v: [f64; 3]) -> (Direction, Direction
     let bitangent = cross(normal, tangent);
     let frame = |a: [f64; 3]| Direction::new(dot(a, tangent), dot(a, bitangent), dot(a, normal));
     (frame(l), frame(v))
-}
-
-fn interpolate(table: &[[f64; 3]], cosine: f64) -> [f64; 3] {
-    let position = cosine.clamp(0.0, 1.0) * (table.len() - 1) as f64;
-    let cell = (position as usize).min(table.len() - 2);
-    let t = position - cell as f64;
-    [0, 1, 2].map(|i| table[cell][i] * (1.0 - t) + table[cell + 1][i] * t)
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

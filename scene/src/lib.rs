@@ -1,6 +1,7 @@
 //! Scene and material files, and what they become: the core's constants on a
 //! host, generated Rust for a microcontroller, and the reference's models.
 
+mod albedo;
 mod bake;
 mod curve;
 mod description;
@@ -13,6 +14,7 @@ mod prepare;
 mod reader;
 mod surface;
 
+pub use albedo::{AlbedoTable, directional_albedo};
 pub use bake::bake;
 pub use curve::cosine_curve;
 pub use description::{

@@ -6,6 +6,7 @@ use microbrdf::shade::{Camera, LINEAR_ONE, Linear, Plane, Sphere};
 use microbrdf::table::CosineCurve;
 use microbrdf_reference as reference;
 
+use crate::albedo::AlbedoTable;
 use crate::curve::cosine_curve;
 use crate::description::{CameraDescription, Description, cross, dot, length, sub};
 use crate::host::HostArithmetic;
@@ -123,17 +124,12 @@ impl Description {
             })
             .collect::<Result<_, _>>()?;
         let daylight = self.daylight.map(|sky| {
-            let whole = material.reference();
-            let curve = cosine_curve(&|cosine| albedo(&*whole, cosine));
+            let albedo = AlbedoTable::new(&*material.reference());
+            let curve = cosine_curve(&|cosine| albedo.at(cosine));
             (curve, sky.map(|channel| channel * self.exposure))
         });
         Ok(PreparedCoat { parts, daylight })
     }
-}
-
-/// Directional albedo, per channel.
-pub(crate) fn albedo(model: &dyn reference::Brdf, cosine: f64) -> [f64; 3] {
-    reference::directional_albedo_rgb(model, cosine).map(|estimate| estimate.value)
 }
 
 impl Material {
