@@ -11,7 +11,7 @@ use crate::firmware::{self, Order};
 use crate::host_sim::HostSim;
 use crate::setup::deny;
 
-/// Sets of the firmware's further features that are linted, beside the plain one.
+/// The firmware's further features, which are linted all at once and not at all.
 const FEATURES: [&str; 4] = ["rgb565", "defmt", "provoke-panic", "provoke-hardfault"];
 
 /// Lock file, format, lints: what fails most, and soonest.
@@ -45,18 +45,18 @@ pub fn style() -> Vec<Step> {
     steps
 }
 
-/// Clippy over the firmware for a board, plain and with each further feature.
+/// Clippy over the firmware for a board, plain and with every further feature.
 fn lint(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
     let host = HostSim::build(bench.layout)?;
     let scene = bench.layout.at("scenes/demo.toml");
     let baked = firmware::bake(bench.layout, &host, &scene, ARITHMETICS[0])?;
     let mut tally = Tally::default();
-    for extra in std::iter::once(None).chain(FEATURES.map(Some)) {
+    for (kind, features) in [("plain", &[][..]), ("all", &FEATURES[..])] {
         let order = Order {
             board,
             scene: scene.clone(),
             arithmetic: ARITHMETICS[0].to_string(),
-            features: extra.iter().map(ToString::to_string).collect(),
+            features: features.iter().map(ToString::to_string).collect(),
         };
         let mut cargo = bench.cross.cargo(bench.layout, "clippy", board.target);
         cargo
@@ -64,7 +64,7 @@ fn lint(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
             .arg(order.feature_list())
             .args(["--", "-D", "warnings"])
             .env("MICROBRDF_SCENE_RS", &baked);
-        let name = format!("lints-{}-{}", board.name, extra.unwrap_or("plain"));
+        let name = format!("lints-{}-{kind}", board.name);
         bench.finish(&name, &mut cargo)?;
         tally += Tally::PASSED;
     }
