@@ -13,6 +13,9 @@
 //! | [`models`] | the models, one a file |
 //! | [`fresnel`] | exact Fresnel equations |
 //! | [`mod@albedo`] | directional and mean albedo by quadrature |
+//! | [`quantities`] | composition, scalar product and distance of models |
+//! | [`mod@light`] | lights, reflected radiance, daylight |
+//! | [`sampling`] | importance sampling |
 //! | [`quadrature`] | adaptive integrals with an error estimate |
 //! | [`colour`] | spectra and metals to linear sRGB, encoding, CIEDE2000, gamut map |
 //!
@@ -29,8 +32,11 @@ pub mod error;
 pub mod fresnel;
 pub mod geometry;
 pub mod half;
+pub mod light;
 pub mod models;
 pub mod quadrature;
+pub mod quantities;
+pub mod sampling;
 pub mod special;
 
 pub use albedo::{
