@@ -41,10 +41,11 @@ impl<const N: usize> Bounded<N> {
     /// # Errors
     /// [`Full`] if it does not fit; the buffer is then unchanged.
     pub fn extend(&mut self, more: &[u8]) -> Result<(), Full> {
-        let end = self.len.saturating_add(more.len());
-        let free = self.bytes.get_mut(self.len..end).ok_or(Full)?;
-        free.copy_from_slice(more);
-        self.len = end;
+        let free = self.bytes.get_mut(self.len..).ok_or(Full)?;
+        // Cut to the length of `more` itself, so that the copy cannot panic.
+        let place = free.get_mut(..more.len()).ok_or(Full)?;
+        place.copy_from_slice(more);
+        self.len = self.len.saturating_add(more.len());
         Ok(())
     }
 

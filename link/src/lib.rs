@@ -14,6 +14,30 @@
 //! Nothing here allocates or panics, and every buffer has a fixed size. One
 //! packet is at most [`MAX_PACKET`] bytes, so a sender needs about half a
 //! kilobyte of RAM, whatever the size of the picture.
+//!
+//! ```
+//! use microbrdf_link::{Event, FrameWriter, Header, PixelFormat, Reassembler};
+//!
+//! let header = Header {
+//!     board: "bench",
+//!     scene: "two pixels",
+//!     ..Header::new(2, 1, PixelFormat::Srgb8)
+//! };
+//! let mut writer = FrameWriter::begin(Vec::new(), &header)?;
+//! writer.row(0, &[255, 0, 0, 0, 0, 255])?;
+//! let wire = writer.end()?;
+//!
+//! let (mut pixels, mut present) = ([0; 64], [0; 8]);
+//! let mut whole = false;
+//! Reassembler::new(&mut pixels, &mut present).feed(&wire, |event| {
+//!     if let Event::FrameEnds(report, picture) = event {
+//!         assert_eq!(picture.bytes(), [255, 0, 0, 0, 0, 255]);
+//!         whole = report.is_whole();
+//!     }
+//! });
+//! assert!(whole);
+//! # Ok::<(), microbrdf_link::SendError<core::convert::Infallible>>(())
+//! ```
 #![no_std]
 #![deny(
     clippy::arithmetic_side_effects,

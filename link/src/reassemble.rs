@@ -340,9 +340,9 @@ impl Assembly<'_> {
         }
         let first = pixel_number(open.width, pixels.column, pixels.row);
         let start = first.saturating_mul(size);
-        let place = start..start.saturating_add(pixels.data.len());
         self.pixels
-            .get_mut(place)
+            .get_mut(start..)
+            .and_then(|rest| rest.get_mut(..pixels.data.len()))
             .ok_or(outside)?
             .copy_from_slice(pixels.data);
 
