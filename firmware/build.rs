@@ -86,7 +86,14 @@ fn scene() -> Result<(), String> {
     let path = env::var_os(SCENE).ok_or_else(|| {
         format!("{SCENE} is not set: it must be the path of a scene made by `microbrdf bake`")
     })?;
-    copy(Path::new(&path), "scene.rs")
+    let path = Path::new(&path);
+    if path.is_relative() {
+        return Err(format!(
+            "{SCENE} is {}: it must be an absolute path",
+            path.display()
+        ));
+    }
+    copy(path, "scene.rs")
 }
 
 fn copy(from: &Path, name: &str) -> Result<(), String> {

@@ -45,6 +45,8 @@ pub fn send_frame<S: Scene, W: Write, P: Panel, L: LogSource>(
         board.panel.end_row(y.into()).map_err(FrameError::Panel)?;
         frame.log(&board.log.take())?;
     }
+    board.log.frame_ends(number);
+    frame.log(&board.log.take())?;
     frame.end()?;
     Ok(())
 }

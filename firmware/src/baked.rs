@@ -4,7 +4,9 @@ use microbrdf::shade::Linear;
 use microbrdf_firmware::Scene;
 use microbrdf_link::{PixelFormat, max_row_wire_bytes};
 
-/// Written by `microbrdf bake`: the scene's constants, and the row function for them.
+/// Written by `microbrdf bake`: the scene's constants, and the row function for
+/// them. No scene needs all that it may define.
+#[allow(unused)]
 mod scene {
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }

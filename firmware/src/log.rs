@@ -7,6 +7,12 @@ use microbrdf_link::MAX_LOG;
 pub trait LogSource {
     /// Takes out what has gathered since the last call; empty if nothing has.
     fn take(&mut self) -> Vec<u8, MAX_LOG>;
+
+    /// All rows of frame `number` are sent, its end is not: the last moment to
+    /// log something about it.
+    fn frame_ends(&mut self, number: u16) {
+        let _ = number;
+    }
 }
 
 /// No log.

@@ -14,6 +14,9 @@ use heapless::Vec;
 use microbrdf_firmware::LogSource;
 use microbrdf_link::MAX_LOG;
 
+use crate::boards::Board;
+use crate::stack;
+
 struct Gathered {
     bytes: Vec<u8, MAX_LOG>,
     /// Where the line under way begins.
@@ -44,6 +47,20 @@ impl LogSource for Logs {
             Err(_) => Vec::new(),
         })
     }
+
+    fn frame_ends(&mut self, number: u16) {
+        defmt::info!(
+            "frame {}: at most {} of {} bytes of stack were used",
+            number,
+            stack::used(),
+            stack::size(),
+        );
+    }
+}
+
+/// The board is up.
+pub fn started(board: &Board) {
+    defmt::info!("{=str} with a {=str}", board.name, board.core);
 }
 
 #[defmt::global_logger]

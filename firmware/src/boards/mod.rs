@@ -3,6 +3,8 @@
 //! A board is a folder that offers `NAME`, `CORE`, `INTERRUPT`, `Uart`, `Panel`
 //! and `start`; `docs/adding-a-board.md` tells how to write one.
 
+use crate::logger::Logs;
+
 mod line;
 
 #[cfg(feature = "board-lm3s6965evb")]
@@ -20,11 +22,20 @@ mod netduinoplus2;
 #[cfg(feature = "board-netduinoplus2")]
 use netduinoplus2 as chosen;
 
-pub use chosen::{CORE, NAME, Panel};
-pub use line::{Serial, wait_for_request, with_line};
+pub use line::{wait_for_request, with_line};
+
+/// The board, as the application knows it.
+pub type Board = microbrdf_firmware::Board<line::Serial, chosen::Panel, Logs>;
 
 /// Starts clocks, pins, serial line and display. Only the first call succeeds; others panic.
-pub fn start() -> (Serial, Panel) {
+pub fn start() -> Board {
     let (uart, panel) = chosen::start();
-    (line::open(uart), panel)
+    Board {
+        name: chosen::NAME,
+        core: chosen::CORE,
+        compiler: env!("MICROBRDF_COMPILER"),
+        serial: line::open(uart),
+        panel,
+        log: Logs,
+    }
 }

@@ -12,8 +12,6 @@ mod registers;
 mod ssi;
 mod uart;
 
-use core::convert::Infallible;
-
 use embedded_hal::digital::OutputPin;
 use lm3s6965::interrupt;
 use microbrdf_firmware::{Greys, Ssd0323};
@@ -48,11 +46,6 @@ pub fn start() -> (Uart, Panel) {
     let Ok(()) = Output::new(Port::D, gpio::CARD_SELECT).set_high();
     let data_or_command = Output::new(Port::C, gpio::DATA_OR_COMMAND);
 
-    let uart = Uart::start();
-    let display: Result<_, microbrdf_firmware::Ssd0323Error<Infallible, Infallible>> =
-        Ssd0323::start(Ssi::start(), data_or_command, &mut delay);
-    match display {
-        Ok(display) => (uart, Greys::new(display)),
-        Err(error) => match error {},
-    }
+    let Ok(display) = Ssd0323::start(Ssi::start(), data_or_command, &mut delay);
+    (Uart::start(), Greys::new(display))
 }
