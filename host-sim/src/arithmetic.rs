@@ -26,6 +26,7 @@ impl ArithmeticName {
 }
 
 /// `$result` with `$marker` naming the type of the arithmetic.
+#[macro_export]
 macro_rules! with_arithmetic {
     ($name:expr, $marker:ident => $result:expr) => {
         match $name {
@@ -40,5 +41,3 @@ macro_rules! with_arithmetic {
         }
     };
 }
-
-pub(crate) use with_arithmetic;

@@ -4,10 +4,11 @@ use microbrdf::shade::Linear;
 use microbrdf_scene::{Description, HostArithmetic, SceneParts};
 use rayon::prelude::*;
 
-use crate::arithmetic::{ArithmeticName, with_arithmetic};
+use crate::arithmetic::ArithmeticName;
 use crate::exit::{Failure, Outcome};
 use crate::picture::Picture;
 use crate::progress::Progress;
+use crate::with_arithmetic;
 
 /// Columns and rows of the grey panel.
 const PANEL: [usize; 2] = [128, 64];

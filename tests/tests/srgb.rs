@@ -4,7 +4,11 @@ use microbrdf::shade::{LINEAR_ONE, Linear, srgb8};
 
 /// IEC 61966-2-1, code as a real number.
 fn encoded(linear: f64) -> f64 {
-    let v = if linear <= 0.0031308 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    let v = if linear <= 0.0031308 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    };
     255.0 * v
 }
 
@@ -16,7 +20,10 @@ fn every_linear_value_gets_its_rounded_code() {
         let code = srgb8(linear);
         greatest = greatest.max((f64::from(code) - exact).abs());
         // The two branches of the standard meet with a gap of 1e-5 of a code.
-        assert!((f64::from(code) - exact).abs() <= 0.500_02, "linear {linear}: {code} for {exact}");
+        assert!(
+            (f64::from(code) - exact).abs() <= 0.500_02,
+            "linear {linear}: {code} for {exact}"
+        );
     }
     assert!(greatest > 0.499, "the test saw no value near a threshold");
 }
@@ -25,7 +32,10 @@ fn every_linear_value_gets_its_rounded_code() {
 fn beyond_one_is_white() {
     assert_eq!(srgb8(LINEAR_ONE + 1), 255);
     assert_eq!(srgb8(u32::MAX), 255);
-    assert_eq!(Linear::from_raw(u32::MAX, 0, LINEAR_ONE + 1).to_raw(), [LINEAR_ONE, 0, LINEAR_ONE]);
+    assert_eq!(
+        Linear::from_raw(u32::MAX, 0, LINEAR_ONE + 1).to_raw(),
+        [LINEAR_ONE, 0, LINEAR_ONE]
+    );
 }
 
 #[test]

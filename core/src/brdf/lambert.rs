@@ -10,12 +10,12 @@ use crate::error::ParameterError;
 use crate::geometry::Geometry;
 use crate::table::integer::INVERSE_PI;
 
-/// f = a/π for an albedo a of red, green and blue. The peak is the greatest
-/// channel's a/π.
+/// f = a/π for an albedo a of red, green and blue. The peak is 1/π, the share
+/// a·cosΘL.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lambert<A: Arithmetic> {
     pub(super) peak: A::Scale,
-    tint: Rgb<A::Unit>,
+    albedo: Rgb<A::Unit>,
 }
 
 const ALBEDO_RANGE: ParameterError = ParameterError::new("albedo", "a number from 0 to 1");
@@ -30,16 +30,9 @@ impl Lambert<F32> {
         if !(r >= 0.0 && r <= 1.0 && g >= 0.0 && g <= 1.0 && b >= 0.0 && b <= 1.0) {
             return Err(ALBEDO_RANGE);
         }
-        let greatest = r.max(g).max(b);
-        let divisor = if greatest > 0.0 { greatest } else { 1.0 };
-        let tint = Rgb {
-            r: r / divisor,
-            g: g / divisor,
-            b: b / divisor,
-        };
         Ok(Self {
-            peak: greatest * core::f32::consts::FRAC_1_PI,
-            tint,
+            peak: core::f32::consts::FRAC_1_PI,
+            albedo,
         })
     }
 }
@@ -50,26 +43,14 @@ impl<const CELLS: usize> Lambert<Q31<CELLS>> {
     /// # Errors
     /// An albedo above 1.
     pub const fn new(albedo: Rgb<U1F31>) -> Result<Self, ParameterError> {
-        let [r, g, b] = [
-            albedo.r.to_bits() as u64,
-            albedo.g.to_bits() as u64,
-            albedo.b.to_bits() as u64,
-        ];
-        let mut greatest = if r > g { r } else { g };
-        if b > greatest {
-            greatest = b;
-        }
-        if greatest > 1 << 31 {
+        let [r, g, b] = [albedo.r.to_bits(), albedo.g.to_bits(), albedo.b.to_bits()];
+        if r > 1 << 31 || g > 1 << 31 || b > 1 << 31 {
             return Err(ALBEDO_RANGE);
         }
-        let divisor = if greatest > 0 { greatest } else { 1 };
-        let tint = Rgb {
-            r: U1F31::from_bits(((r << 31) / divisor) as u32),
-            g: U1F31::from_bits(((g << 31) / divisor) as u32),
-            b: U1F31::from_bits(((b << 31) / divisor) as u32),
-        };
-        let peak = U32F32::from_bits(((greatest as u128 * INVERSE_PI) >> 63) as u64);
-        Ok(Self { peak, tint })
+        Ok(Self {
+            peak: U32F32::from_bits((INVERSE_PI >> 32) as u64),
+            albedo,
+        })
     }
 }
 
@@ -89,6 +70,6 @@ impl<A: Arithmetic> Shape for Lambert<A> {
 
     #[inline]
     fn shape(&self, _: &impl Geometry<A>) -> Rgb<A::Unit> {
-        self.tint
+        self.albedo
     }
 }

@@ -2,7 +2,7 @@
 
 use fixed::types::{U1F31, U32F32};
 
-use super::{Brdf, Lambert, MetallicPhong, Shape, tinted_brdf};
+use super::{Brdf, Lambert, MetallicPhong, Shape, above_horizon, tinted_brdf};
 use crate::arithmetic::{Arithmetic, F32, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
@@ -11,7 +11,7 @@ use crate::geometry::Geometry;
 /// f = a/π + a_s · c_n · cosⁿα / cosΘmin (3.31), for an albedo a and a
 /// specular share a_s, each of red, green and blue.
 ///
-/// The peak is the sum of the parts' peaks. In `q31` a share has 31 fraction
+/// The peak is the sum of the parts' greatest values. In `q31` a share has 31 fraction
 /// bits of that sum, so for n above 1e5 the diffuse part of
 /// [`Brdf::share`] is coarse; BRDF and reflected radiance are not.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +21,8 @@ pub struct Plastic<A: Arithmetic> {
     specular: Rgb<A::Unit>,
     peak: A::Scale,
     /// The parts' shares of the peak.
-    diffuse_weight: A::Unit,
-    highlight_weight: A::Unit,
+    diffuse_weight: Rgb<A::Unit>,
+    highlight_weight: Rgb<A::Unit>,
 }
 
 const SPECULAR_RANGE: ParameterError = ParameterError::new(
@@ -52,18 +52,28 @@ impl Plastic<F32> {
             return Err(SPECULAR_RANGE);
         }
         // Room for rounding: 0.3 + 0.7 passes 1 in single precision.
-        let total = r.max(g).max(b) + albedo.r.max(albedo.g).max(albedo.b);
-        if total > 1.000_001 {
+        let greatest = [albedo.r.max(albedo.g).max(albedo.b), r.max(g).max(b)];
+        if greatest[0] + greatest[1] > 1.000_001 {
             return Err(SPECULAR_RANGE);
         }
-        let peak = diffuse.peak + highlight.peak;
+        let peak = greatest[0] * diffuse.peak + greatest[1] * highlight.peak;
+        let unit = if peak > 0.0 { 1.0 / peak } else { 0.0 };
+        let (low, high) = (diffuse.peak * unit, highlight.peak * unit);
         Ok(Self {
             diffuse,
             highlight,
             specular,
             peak,
-            diffuse_weight: diffuse.peak / peak,
-            highlight_weight: highlight.peak / peak,
+            diffuse_weight: Rgb {
+                r: albedo.r * low,
+                g: albedo.g * low,
+                b: albedo.b * low,
+            },
+            highlight_weight: Rgb {
+                r: r * high,
+                g: g * high,
+                b: b * high,
+            },
         })
     }
 }
@@ -92,20 +102,38 @@ impl<const CELLS: usize> Plastic<Q31<CELLS>> {
         if greatest(specular) as u64 + greatest(albedo) as u64 > (1 << 31) + 1 {
             return Err(SPECULAR_RANGE);
         }
-        let (low, high) = (
-            diffuse.peak.to_bits() as u128,
-            highlight.peak.to_bits() as u128,
-        );
-        let peak = low + high;
+        let (low, high) = (diffuse.peak.to_bits(), highlight.peak.to_bits());
+        let peak = times(greatest(albedo), low) + times(greatest(specular), high);
         Ok(Self {
             diffuse,
             highlight,
             specular,
-            peak: U32F32::from_bits(peak as u64),
-            diffuse_weight: U1F31::from_bits(((low << 31) / peak) as u32),
-            highlight_weight: U1F31::from_bits(((high << 31) / peak) as u32),
+            peak: U32F32::from_bits(peak),
+            diffuse_weight: weights(albedo, low, peak),
+            highlight_weight: weights(specular, high, peak),
         })
     }
+}
+
+/// share · peak.
+const fn times(share: u32, peak: u64) -> u64 {
+    ((share as u128 * peak as u128) >> 31) as u64
+}
+
+/// What part of the whole `peak` a part with its `own` is, per channel.
+const fn weights(shares: Rgb<U1F31>, own: u64, peak: u64) -> Rgb<U1F31> {
+    Rgb {
+        r: weight(shares.r, own, peak),
+        g: weight(shares.g, own, peak),
+        b: weight(shares.b, own, peak),
+    }
+}
+
+const fn weight(share: U1F31, own: u64, peak: u64) -> U1F31 {
+    if peak == 0 {
+        return U1F31::ZERO;
+    }
+    U1F31::from_bits((share.to_bits() as u128 * own as u128 / peak as u128) as u32)
 }
 
 const fn greatest(colour: Rgb<U1F31>) -> u32 {
@@ -119,15 +147,6 @@ const fn greatest(colour: Rgb<U1F31>) -> u32 {
     greatest
 }
 
-impl<A: Arithmetic> Plastic<A> {
-    /// a_s times the highlight's own share.
-    #[inline]
-    fn highlight_share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        self.specular
-            .zip(self.highlight.share(geometry), A::product)
-    }
-}
-
 impl<A: Arithmetic> Brdf<A> for Plastic<A> {
     #[inline]
     fn peak(&self) -> A::Scale {
@@ -136,13 +155,17 @@ impl<A: Arithmetic> Brdf<A> for Plastic<A> {
 
     #[inline]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        let diffuse = self.diffuse.share(geometry);
-        diffuse.zip(self.highlight_share(geometry), |diffuse, highlight| {
-            A::total(
-                A::product(self.diffuse_weight, diffuse),
-                A::product(self.highlight_weight, highlight),
-            )
-        })
+        let (n_dot_l, n_dot_v) = geometry.cosines();
+        if !above_horizon::<A>(n_dot_l, n_dot_v) {
+            return Rgb::grey(A::ZERO);
+        }
+        let cosine = A::cosine(n_dot_l);
+        let diffuse = self.diffuse_weight.map(|weight| A::product(weight, cosine));
+        let highlight = self
+            .highlight
+            .share(geometry)
+            .zip(self.highlight_weight, A::product);
+        diffuse.zip(highlight, A::total)
     }
 
     #[inline]
@@ -154,9 +177,11 @@ impl<A: Arithmetic> Brdf<A> for Plastic<A> {
     #[inline]
     fn reflect(&self, geometry: &impl Geometry<A>) -> Rgb<A::Radiance> {
         let peak = self.highlight.amplitude();
-        let highlight = self
-            .highlight_share(geometry)
-            .map(|share| A::radiance(peak, share));
+        let share = self
+            .highlight
+            .share(geometry)
+            .zip(self.specular, A::product);
+        let highlight = share.map(|share| A::radiance(peak, share));
         self.diffuse
             .reflect(geometry)
             .zip(highlight, A::add_radiances)

@@ -4,10 +4,10 @@ use microbrdf_reference as reference;
 use microbrdf_scene::{HostArithmetic, Material};
 
 use super::Computed;
-use crate::arithmetic::with_arithmetic;
 use crate::cli::Albedo;
 use crate::energy;
 use crate::exit::{Failure, Outcome};
+use crate::with_arithmetic;
 
 /// Prints directional albedos, and the mean if asked.
 pub fn run(arguments: &Albedo) -> Outcome<()> {

@@ -2,10 +2,10 @@
 
 use microbrdf_scene::{Description, bake};
 
-use crate::arithmetic::with_arithmetic;
 use crate::cli::Bake;
 use crate::exit::{Failure, Outcome};
 use crate::picture::write_whole;
+use crate::with_arithmetic;
 
 /// Writes a scene as Rust source.
 pub fn run(arguments: &Bake) -> Outcome<()> {

@@ -9,10 +9,10 @@ use microbrdf_reference as reference;
 use microbrdf_scene::{AnyModel, HostArithmetic, Material};
 
 use super::Computed;
-use crate::arithmetic::with_arithmetic;
 use crate::cli::{Encoding, Eval, Quantity};
 use crate::directions::{self, Pair};
 use crate::exit::{Failure, Outcome};
+use crate::with_arithmetic;
 
 /// Evaluates a material for each pair of directions on standard input.
 pub fn run(arguments: &Eval) -> Outcome<()> {

@@ -1,16 +1,32 @@
 //! One file for each command.
 
-pub mod albedo;
-pub mod bake;
-pub mod compare;
-pub mod device;
-pub mod eval;
-pub mod render;
+mod albedo;
+mod bake;
+mod compare;
+mod device;
+mod eval;
+mod render;
 
 use clap::ValueEnum as _;
 
 use crate::arithmetic::ArithmeticName;
+use crate::cli::Command;
 use crate::exit::{Failure, Outcome};
+
+/// Runs a command.
+///
+/// # Errors
+/// Why it did not do what it was asked to, with the exit status.
+pub fn run(command: &Command) -> Outcome<()> {
+    match command {
+        Command::Render(arguments) => render::run(arguments),
+        Command::Compare(arguments) => compare::run(arguments),
+        Command::Eval(arguments) => eval::run(arguments),
+        Command::Albedo(arguments) => albedo::run(arguments),
+        Command::Device(arguments) => device::run(arguments),
+        Command::Bake(arguments) => bake::run(arguments),
+    }
+}
 
 /// One of the core's arithmetics, or double precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,0 +1,84 @@
+//! Every model with parameters that reach its ends.
+
+use microbrdf_scene::Material;
+
+/// A material by its TOML, and what a set of samples needs to know of it.
+pub struct Entry {
+    /// Name of the model, as in material files.
+    pub model: &'static str,
+    /// The table, as one line.
+    pub toml: String,
+    /// Exponent of a lobe that is about as wide.
+    pub n: f64,
+}
+
+impl Entry {
+    /// The material.
+    ///
+    /// # Panics
+    /// If the table is wrong.
+    pub fn material(&self) -> Material {
+        Material::from_argument(&self.toml).expect("a material of the registry")
+    }
+}
+
+/// Exponents that every arithmetic takes.
+pub const EXPONENTS: [f64; 12] = [
+    0.0, 1.0, 1.5, 2.0, 3.7, 8.0, 20.0, 100.0, 500.0, 5e3, 1e5, 1e8,
+];
+
+/// All models at many parameters.
+pub fn all() -> Vec<Entry> {
+    let mut entries = Vec::new();
+    let mut add = |model: &'static str, fields: String, n: f64| {
+        entries.push(Entry {
+            model,
+            toml: format!("model = \"{model}\", {fields}"),
+            n,
+        });
+    };
+    add("lambert", "albedo = 0.8".into(), 0.5);
+    add("lambert", "albedo = [0.9, 0.5, 0.1]".into(), 0.5);
+    for n in EXPONENTS {
+        add("phong", format!("exponent = {n}"), n);
+        add("phong", format!("exponent = {n}, p = 0.5"), n);
+        add("metallic-phong", format!("exponent = {n}"), n);
+        add("retro-phong", format!("exponent = {n}"), n);
+        add(
+            "plastic",
+            format!("albedo = [0.6, 0.2, 0.1], specular = 0.3, exponent = {n}"),
+            n,
+        );
+    }
+    for radius in [1e-4, 0.01, 0.3, 1.0, 1.5, 2.0] {
+        add(
+            "patch",
+            format!("radius = {radius}"),
+            1.0 / (radius * radius),
+        );
+    }
+    for s in [0.0f64, 0.05, 0.5, 4.0, 16.0, 128.0, 4096.0] {
+        add(
+            "patch-exponential",
+            format!("sharpness = {s}"),
+            (s * s).max(1.0) / 8.0,
+        );
+    }
+    for metal in ["gold", "silver", "copper", "aluminium"] {
+        for n in [1.0, 20.0, 190.0, 5e3] {
+            add("metal", format!("metal = \"{metal}\", exponent = {n}"), n);
+        }
+    }
+    // Chromium-like and glass.
+    add(
+        "metal",
+        "eta = [3.18, 3.2, 2.3], k = [3.3, 3.3, 3.1], exponent = 40".into(),
+        40.0,
+    );
+    add(
+        "metal",
+        "eta = [1.5, 1.5, 1.5], k = [0, 0, 0], exponent = 40".into(),
+        40.0,
+    );
+    entries
+}

@@ -1,0 +1,112 @@
+//! The one table of tolerances.
+//!
+//! Each row bounds the arithmetic error of a model's displayed sRGB code, over
+//! all sets of samples. The accuracy test fails when a bound is passed, when
+//! it is wider than [`SLACK`] above what is found, and when nothing uses it.
+
+/// How far a bound may lie above the greatest error found, in codes.
+pub const SLACK: f64 = 0.02;
+
+/// The exposure at which a row holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exposure {
+    /// K = 1: the peak is at full scale.
+    One,
+    /// K = c, the model's own peak: unit irradiance, the highlight saturates.
+    Peak,
+}
+
+/// A bound.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerance {
+    /// Arithmetic.
+    pub arithmetic: &'static str,
+    /// Model, as in material files.
+    pub model: &'static str,
+    /// Exposure.
+    pub exposure: Exposure,
+    /// Least and greatest peak in sr⁻¹.
+    pub peaks: [f64; 2],
+    /// Greatest |code − exact code|, in codes; 0.50 is perfect rounding.
+    pub lsb_max: f64,
+    /// Greatest share of codes off by one. None is off by more.
+    pub off_by_one: f64,
+}
+
+const fn row(
+    arithmetic: &'static str,
+    model: &'static str,
+    exposure: Exposure,
+    peaks: [f64; 2],
+    lsb_max: f64,
+    off_by_one: f64,
+) -> Tolerance {
+    Tolerance {
+        arithmetic,
+        model,
+        exposure,
+        peaks,
+        lsb_max,
+        off_by_one,
+    }
+}
+
+use Exposure::{One, Peak};
+
+const ANY: [f64; 2] = [0.0, f64::INFINITY];
+/// Peaks up to that of n = 1e5.
+const MODERATE: [f64; 2] = [0.0, 2e4];
+/// Peaks beyond: exposed at their own, a share's last bit shows.
+const EXTREME: [f64; 2] = [2e4, f64::INFINITY];
+
+/// Every bound.
+pub const TABLE: &[Tolerance] = &[
+    row("f32", "lambert", One, ANY, 0.51, 0.01),
+    row("f32", "lambert", Peak, ANY, 0.51, 0.01),
+    row("f32", "phong", One, ANY, 0.51, 0.01),
+    row("f32", "phong", Peak, ANY, 0.51, 0.01),
+    row("f32", "metallic-phong", One, ANY, 0.51, 0.01),
+    row("f32", "metallic-phong", Peak, ANY, 0.51, 0.01),
+    row("f32", "retro-phong", One, ANY, 0.51, 0.01),
+    row("f32", "retro-phong", Peak, ANY, 0.51, 0.01),
+    row("f32", "plastic", One, ANY, 0.51, 0.01),
+    row("f32", "plastic", Peak, ANY, 0.51, 0.01),
+    row("f32", "patch", One, ANY, 0.51, 0.01),
+    row("f32", "patch", Peak, ANY, 0.51, 0.01),
+    row("f32", "patch-exponential", One, ANY, 0.51, 0.01),
+    row("f32", "patch-exponential", Peak, ANY, 0.51, 0.01),
+    row("f32", "metal", One, ANY, 0.53, 0.01),
+    row("f32", "metal", Peak, ANY, 0.53, 0.01),
+    row("q31", "lambert", One, ANY, 0.51, 0.01),
+    row("q31", "lambert", Peak, ANY, 0.51, 0.01),
+    row("q31", "phong", One, ANY, 0.51, 0.01),
+    row("q31", "phong", Peak, MODERATE, 0.52, 0.01),
+    row("q31", "phong", Peak, EXTREME, 15.41, 0.36),
+    row("q31", "metallic-phong", One, ANY, 0.51, 0.01),
+    row("q31", "metallic-phong", Peak, MODERATE, 0.52, 0.01),
+    row("q31", "metallic-phong", Peak, EXTREME, 12.11, 0.36),
+    row("q31", "retro-phong", One, ANY, 0.51, 0.01),
+    row("q31", "retro-phong", Peak, MODERATE, 0.52, 0.01),
+    row("q31", "retro-phong", Peak, EXTREME, 12.11, 0.36),
+    row("q31", "plastic", One, ANY, 0.52, 0.01),
+    row("q31", "plastic", Peak, MODERATE, 0.51, 0.01),
+    row("q31", "plastic", Peak, EXTREME, 6.87, 0.53),
+    row("q31", "patch", One, ANY, 0.51, 0.01),
+    row("q31", "patch", Peak, MODERATE, 0.51, 0.01),
+    row("q31", "patch", Peak, EXTREME, 0.47, 0.01),
+    row("q31", "patch-exponential", One, ANY, 0.51, 0.01),
+    row("q31", "patch-exponential", Peak, MODERATE, 0.51, 0.01),
+    row("q31", "patch-exponential", Peak, EXTREME, 3.44, 0.53),
+    row("q31", "metal", One, ANY, 0.53, 0.01),
+    row("q31", "metal", Peak, ANY, 0.53, 0.01),
+];
+
+/// The row for a model at a peak and an exposure.
+pub fn find(arithmetic: &str, model: &str, exposure: Exposure, peak: f64) -> Option<usize> {
+    TABLE.iter().position(|row| {
+        row.arithmetic == arithmetic
+            && row.model == model
+            && row.exposure == exposure
+            && (row.peaks[0]..row.peaks[1]).contains(&peak)
+    })
+}
