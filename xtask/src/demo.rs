@@ -29,10 +29,10 @@ const MADE: [&str; 7] = [
 /// `cargo xtask demo`. A failure of status 1 keeps, and reports, what arrived.
 pub fn command(layout: &Layout, cross: &Cross, order: &Order, out: &Path) -> Outcome<()> {
     println!("{}", cross.chosen(layout));
-    let host = HostSim::build(layout)?;
+    let host = HostSim::build(layout, false)?;
     let shown = layout.shown(out);
     let report = run(layout, cross, &host, order, out, false)?;
-    println!("{}", report::lines(&report));
+    print!("{}", report::lines(&report));
     let mut names = vec!["device.png", "host.png", "reference.png", "error.png"];
     if order.board.panel {
         names.push("panel.png");
@@ -61,7 +61,7 @@ pub fn run(
     out: &Path,
     quiet: bool,
 ) -> Outcome<Value> {
-    let image = firmware::build(layout, cross, host, order)?;
+    let image = firmware::build(layout, cross, host, order, quiet)?;
     println!("{}", firmware::describe(layout, order, &image));
     fs::create_dir_all(out).during(|| format!("creating {}", out.display()))?;
     let place = |name: &str| out.join(name);

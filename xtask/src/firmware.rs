@@ -97,7 +97,13 @@ pub fn bake(
 }
 
 /// Bakes, compiles and links; the image is kept under its own name.
-pub fn build(layout: &Layout, cross: &Cross, host: &HostSim<'_>, order: &Order) -> Outcome<Image> {
+pub fn build(
+    layout: &Layout,
+    cross: &Cross,
+    host: &HostSim<'_>,
+    order: &Order,
+    quiet: bool,
+) -> Outcome<Image> {
     let baked = bake(layout, host, &order.scene, &order.arithmetic)?;
     let status = cross
         .cargo(layout, "build", order.board.target)
@@ -108,6 +114,7 @@ pub fn build(layout: &Layout, cross: &Cross, host: &HostSim<'_>, order: &Order) 
             "--features",
             &order.feature_list(),
         ])
+        .args(quiet.then_some("--quiet"))
         .env("MICROBRDF_SCENE_RS", baked)
         .stdin(Stdio::null())
         .status()
@@ -135,8 +142,8 @@ pub fn build(layout: &Layout, cross: &Cross, host: &HostSim<'_>, order: &Order) 
 /// `cargo xtask firmware`.
 pub fn command(layout: &Layout, cross: &Cross, order: &Order) -> Outcome<()> {
     println!("{}", cross.chosen(layout));
-    let host = HostSim::build(layout)?;
-    let image = build(layout, cross, &host, order)?;
+    let host = HostSim::build(layout, false)?;
+    let image = build(layout, cross, &host, order, false)?;
     println!("{}", describe(layout, order, &image));
     Ok(())
 }

@@ -14,9 +14,10 @@ pub struct HostSim<'a> {
 }
 
 impl<'a> HostSim<'a> {
-    /// Builds it, showing what cargo does where that takes time.
-    pub fn build(layout: &'a Layout) -> Outcome<Self> {
+    /// Builds it, showing what cargo does unless that is not wanted.
+    pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
         let built = cargo(layout, "build")
+            .args(quiet.then_some("--quiet"))
             .stdin(Stdio::null())
             .status()
             .during(|| "starting cargo".to_string())?;

@@ -119,7 +119,7 @@ pub fn faults(report: &Value) -> Vec<String> {
     faults
 }
 
-/// The figures, in a few lines.
+/// The figures, in a few whole lines.
 pub fn lines(report: &Value) -> String {
     let r = |field: &str| report[field].to_string().trim_matches('"').to_string();
     let real = |field: &str, digits: usize| match report[field].as_f64() {
@@ -159,7 +159,7 @@ pub fn lines(report: &Value) -> String {
     }
     text += &format!(
         "reference  {} LSB at most, {} codes at most; {} of codes off by one, {} by more; {} class flips; \
-         \u{394}E00 {} (95th percentile), {} (greatest)",
+         \u{394}E00 {} (95th percentile), {} (greatest)\n",
         real("lsb_error_max", 2),
         r("code_error_max"),
         percent("code_error_share"),

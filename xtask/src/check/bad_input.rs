@@ -116,7 +116,7 @@ pub fn steps() -> Vec<Step> {
 
 /// Each mistake, through the command that renders; and the scene without a mistake, which must pass.
 fn scenes(bench: &Bench<'_>) -> Outcome<Tally> {
-    let host = HostSim::build(bench.layout)?;
+    let host = HostSim::build(bench.layout, true)?;
     let folder = bench.layout.target().join("test").join("bad-input");
     fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
     let mut tally = Tally::default();
@@ -183,7 +183,7 @@ fn render(
 
 /// Files and options of the project's own commands.
 fn files(bench: &Bench<'_>) -> Outcome<Tally> {
-    let host = HostSim::build(bench.layout)?;
+    let host = HostSim::build(bench.layout, true)?;
     let out = bench.layout.target().join("test").join("bad-input-demo");
     let _ = fs::remove_dir_all(&out);
     let this = std::env::current_exe().during(|| "asking for this program".to_string())?;

@@ -75,7 +75,7 @@ fn folder(bench: &Bench<'_>, name: &str) -> Outcome<PathBuf> {
 
 /// The demo: whole, equal to the host, and near the reference.
 fn demonstrate(bench: &Bench<'_>, board: Board, arithmetic: &str) -> Outcome<Tally> {
-    let host = HostSim::build(bench.layout)?;
+    let host = HostSim::build(bench.layout, true)?;
     let order = order(bench, board, arithmetic, &[]);
     let out = folder(bench, &format!("demo-{}-{arithmetic}", board.name))?;
     let report = demo::run(bench.layout, bench.cross, &host, &order, &out, true)?;
@@ -109,9 +109,9 @@ fn far_from_reference(report: &Value) -> Vec<String> {
 
 /// A frame that the firmware breaks off itself: the receiver says why, and keeps what arrived.
 fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outcome<Tally> {
-    let host = HostSim::build(bench.layout)?;
+    let host = HostSim::build(bench.layout, true)?;
     let order = order(bench, board, ARITHMETICS[0], &[feature]);
-    let image = firmware::build(bench.layout, bench.cross, &host, &order)?;
+    let image = firmware::build(bench.layout, bench.cross, &host, &order, true)?;
     let out = folder(bench, &format!("{feature}-{}", board.name))?;
     let mut reception = Reception::into(&out);
     reception.log = Some(out.join("receiver.log"));
@@ -133,10 +133,10 @@ fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outco
 
 /// A whole frame over a line that breaks in its middle.
 fn broken_line(bench: &Bench<'_>, end: End) -> Outcome<Tally> {
-    let host = HostSim::build(bench.layout)?;
+    let host = HostSim::build(bench.layout, true)?;
     let board = BOARDS[0];
     let order = order(bench, board, ARITHMETICS[0], &[]);
-    let image = firmware::build(bench.layout, bench.cross, &host, &order)?;
+    let image = firmware::build(bench.layout, bench.cross, &host, &order, true)?;
     let out = folder(bench, &format!("broken-{end:?}").to_lowercase())?;
     let mut emulator = Emulator::halted(&board, &image.elf)?;
     let mut reception = Reception::into(&out);
@@ -168,18 +168,23 @@ fn partial(received: &Received, picture: &Path) -> Outcome<Vec<String>> {
         }
     }
     let picture = Picture::read_png(picture)?;
-    let row = picture.width as usize * 3;
-    let last = &picture.rgb[picture.rgb.len() - row..];
-    if !last.chunks_exact(3).any(|pixel| pixel == MISSING) {
-        faults.push("the missing last row is not marked in the picture".into());
-    }
-    if picture.rgb[..row]
-        .chunks_exact(3)
-        .any(|pixel| pixel == MISSING)
-    {
+    let mut rows = picture.rgb.chunks_exact(picture.width as usize * 3);
+    if rows.next().is_none_or(is_hatched) {
         faults.push("the first row, which came, is marked as missing".into());
     }
+    if !rows.next_back().is_some_and(is_hatched) {
+        faults.push("the last row, which did not come, is not marked as missing".into());
+    }
     Ok(faults)
+}
+
+/// Whether a row is what the receiver draws for pixels that did not come: magenta and black, and nothing else.
+fn is_hatched(row: &[u8]) -> bool {
+    let mut pixels = row.chunks_exact(3);
+    let marked = pixels.clone().filter(|pixel| *pixel == MISSING).count();
+    marked > 0
+        && 2 * marked <= pixels.len() + 4
+        && pixels.all(|pixel| pixel == MISSING || pixel == [0, 0, 0])
 }
 
 fn verdict(faults: &[String]) -> Outcome<Tally> {
@@ -192,7 +197,7 @@ fn verdict(faults: &[String]) -> Outcome<Tally> {
 
 #[cfg(test)]
 mod tests {
-    use super::far_from_reference;
+    use super::{far_from_reference, is_hatched};
     use serde_json::json;
 
     #[test]
@@ -211,5 +216,24 @@ mod tests {
             far[field] = value;
             assert_eq!(far_from_reference(&far).len(), 1, "{field}");
         }
+    }
+
+    #[test]
+    fn a_hatch_is_told_from_a_picture_with_its_colours() {
+        let hatch: Vec<u8> = (0..32)
+            .flat_map(|x| {
+                if x / 4 % 2 == 0 {
+                    [255, 0, 255]
+                } else {
+                    [0; 3]
+                }
+            })
+            .collect();
+        assert!(is_hatched(&hatch));
+        assert!(!is_hatched(&[0; 96]), "black");
+        assert!(!is_hatched(&[255, 0, 255].repeat(32)), "magenta");
+        let mut picture = hatch;
+        picture[30] = 9;
+        assert!(!is_hatched(&picture));
     }
 }
