@@ -73,7 +73,7 @@ pub fn run(
     let mut emulator = Emulator::halted(&order.board, &image.elf)?;
     let mut reception = Reception::into(out);
     if quiet {
-        reception.log = Some(place("receiver.log"));
+        reception.messages = Some(place("receiver.log"));
     }
     let device = reception.picture.clone();
     let received = reception.run(layout, &mut emulator)?;

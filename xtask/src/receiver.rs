@@ -27,6 +27,8 @@ pub struct Reception {
     /// The report that it writes.
     pub report: PathBuf,
     /// A file for what it says, where the terminal is not the place.
+    pub messages: Option<PathBuf>,
+    /// A file for the bytes of the device's log.
     pub log: Option<PathBuf>,
 }
 
@@ -47,6 +49,7 @@ impl Reception {
             silence: None,
             picture: folder.join("device.png"),
             report: folder.join("receiver.json"),
+            messages: None,
             log: None,
         }
     }
@@ -54,7 +57,7 @@ impl Reception {
     /// Receives one frame of an emulator that was started halted, and lets it run once the receiver listens.
     /// Picture and report of an earlier reception are taken away first.
     pub fn run(&self, layout: &Layout, emulator: &mut Emulator) -> Outcome<Received> {
-        for old in [&self.picture, &self.report] {
+        for old in [&self.picture, &self.report].into_iter().chain(&self.log) {
             if old.exists() {
                 fs::remove_file(old).during(|| format!("removing {}", old.display()))?;
             }
@@ -91,7 +94,10 @@ impl Reception {
         if let Some(seconds) = self.silence {
             command.arg("--timeout").arg(seconds.to_string());
         }
-        if let Some(path) = &self.log {
+        if let Some(log) = &self.log {
+            command.arg("--log").arg(log);
+        }
+        if let Some(path) = &self.messages {
             let name = || format!("writing {}", path.display());
             let log = fs::File::create(path).during(name)?;
             command.stdout(log.try_clone().during(name)?).stderr(log);

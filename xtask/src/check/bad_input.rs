@@ -1,6 +1,7 @@
 //! Mistakes that a user makes: each is refused with its file, line or option, its value and what is accepted, and leaves nothing half-written.
 
 use std::fs;
+use std::net::TcpListener;
 use std::path::Path;
 use std::process::Command;
 
@@ -248,7 +249,7 @@ fn files(bench: &Bench<'_>) -> Outcome<Tally> {
     Ok(tally)
 }
 
-/// Ports that are not there.
+/// Ports that are not there, and one that nothing comes out of.
 fn ports(bench: &Bench<'_>) -> Outcome<Tally> {
     let picture = bench.layout.target().join("test").join("no-port.png");
     let _ = fs::remove_file(&picture);
@@ -263,6 +264,23 @@ fn ports(bench: &Bench<'_>) -> Outcome<Tally> {
         }
         tally += judge(port, &faults, &said);
     }
+    // Connections wait in the listener's queue: open, and silent.
+    let silent = TcpListener::bind("127.0.0.1:0").during(|| "opening a silent port".to_string())?;
+    let address = silent
+        .local_addr()
+        .during(|| "asking for the silent port".to_string())?;
+    let mut command = Command::new(bench.layout.venv_program("microbrdf-receive"));
+    command
+        .arg(format!("socket://{address}"))
+        .arg("-o")
+        .arg(&picture)
+        .args(["--timeout", "1"]);
+    let (status, said) = bench.ended("bad-input-ports", &mut command)?;
+    let mut faults = refusal(status, 1, &said, &["1"]);
+    if picture.exists() {
+        faults.push("a picture was written of nothing".into());
+    }
+    tally += judge("silent port", &faults, &said);
     Ok(tally)
 }
 

@@ -25,6 +25,9 @@ const CLASS_FLIPS: f64 = 20.0;
 /// Greatest share of codes that may be off by one.
 const CODE_ERROR_SHARE: f64 = 0.01;
 
+/// Features of the firmware that change what it sends, but not that the frame is whole.
+const OPTIONS: [&str; 2] = ["rgb565", "defmt"];
+
 /// Colour that the receiver hatches missing pixels with, beside black.
 const MISSING: [u8; 3] = [255, 0, 255];
 
@@ -38,6 +41,10 @@ pub fn steps() -> Vec<Step> {
                 move |bench| demonstrate(bench, board, arithmetic),
             ));
         }
+    }
+    for board in BOARDS {
+        let name = format!("{}, {}", OPTIONS.join(" and "), board.name);
+        steps.push(step(name, move |bench| with_options(bench, board)));
     }
     for board in BOARDS {
         for (feature, fault) in [
@@ -107,6 +114,36 @@ fn far_from_reference(report: &Value) -> Vec<String> {
     .collect()
 }
 
+/// The firmware with everything that can be chosen beside board and scene: the frame is whole, and logs came.
+fn with_options(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
+    let host = HostSim::build(bench.layout, true)?;
+    let order = order(bench, board, ARITHMETICS[0], &OPTIONS);
+    let image = firmware::build(bench.layout, bench.cross, &host, &order, true)?;
+    println!("{}", firmware::describe(bench.layout, &order, &image));
+    let out = folder(bench, &format!("options-{}", board.name))?;
+    let mut reception = Reception::into(&out);
+    reception.messages = Some(out.join("receiver.log"));
+    reception.log = Some(out.join("defmt.bin"));
+    let received = reception.run(bench.layout, &mut Emulator::halted(&board, &image.elf)?)?;
+    let mut faults = Vec::new();
+    if received.status.code() != Some(0) {
+        faults.push(format!(
+            "the receiver ended with {}, not with 0",
+            received.status
+        ));
+    }
+    if received.report["pixel_format"] != "rgb565" {
+        faults.push(format!(
+            "the pixel format is {}, not rgb565",
+            received.report["pixel_format"]
+        ));
+    }
+    if fs::metadata(out.join("defmt.bin")).map_or(0, |file| file.len()) == 0 {
+        faults.push("no log came".into());
+    }
+    verdict(&faults)
+}
+
 /// A frame that the firmware breaks off itself: the receiver says why, and keeps what arrived.
 fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outcome<Tally> {
     let host = HostSim::build(bench.layout, true)?;
@@ -114,7 +151,7 @@ fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outco
     let image = firmware::build(bench.layout, bench.cross, &host, &order, true)?;
     let out = folder(bench, &format!("{feature}-{}", board.name))?;
     let mut reception = Reception::into(&out);
-    reception.log = Some(out.join("receiver.log"));
+    reception.messages = Some(out.join("receiver.log"));
     let received = reception.run(bench.layout, &mut Emulator::halted(&board, &image.elf)?)?;
     let mut faults = partial(&received, &reception.picture)?;
     if received.report["fault"]["name"] != fault {
@@ -143,7 +180,7 @@ fn broken_line(bench: &Bench<'_>, end: End) -> Outcome<Tally> {
     // Less than half of the smallest frame that 256 x 128 pixels of 3 bytes can be.
     reception.port = Some(line::cut_after(emulator.line()?, 40_000, end)?);
     reception.silence = Some(2);
-    reception.log = Some(out.join("receiver.log"));
+    reception.messages = Some(out.join("receiver.log"));
     let received = reception.run(bench.layout, &mut emulator)?;
     let said = fs::read_to_string(out.join("receiver.log")).unwrap_or_default();
     println!("{}", said.lines().last().unwrap_or_default());
