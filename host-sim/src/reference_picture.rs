@@ -1,5 +1,7 @@
 //! The scene in double precision, by the reference's models.
 
+use std::sync::Arc;
+
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
 use microbrdf_scene::{AlbedoTable, Description, Material, camera_frame, half_pixel};
 use rayon::prelude::*;
@@ -36,7 +38,7 @@ pub struct Exact {
 
 struct Surface {
     model: Box<dyn Brdf + Send + Sync>,
-    albedo: Option<AlbedoTable>,
+    albedo: Option<Arc<AlbedoTable>>,
     /// The patch radius or lobe cut at which the model jumps.
     patch: Option<f64>,
 }
@@ -83,7 +85,7 @@ impl Exact {
 
 fn surface(material: &Material, daylight: bool) -> Surface {
     let model = material.reference();
-    let albedo = daylight.then(|| AlbedoTable::new(&*model));
+    let albedo = daylight.then(|| AlbedoTable::of(material));
     let patch = match material {
         // R = 2 covers every pair.
         Material::Patch { radius } if *radius < 2.0 => Some(*radius),

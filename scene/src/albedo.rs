@@ -1,20 +1,24 @@
 //! Albedo under a uniform sky, for pictures.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use microbrdf_reference::brdf::Channel;
 use microbrdf_reference::quadrature::Accuracy;
 use microbrdf_reference::{Brdf, Direction, albedo::directional_albedo_for};
 use rayon::prelude::*;
 
+use crate::material::Material;
+
 /// Nodes of an [`AlbedoTable`].
 const NODES: usize = 257;
 
-/// The directional albedo of a model at a cosine, per channel, to 1e-7: a
-/// hundredth of an sRGB code at any exposure that does not clip it.
+/// The directional albedo of a model at a cosine, per channel, to 1e-6: less
+/// than a hundredth of an sRGB code where the sky alone would fill the scale.
 #[must_use]
 pub fn directional_albedo(model: &(dyn Brdf + Send + Sync), cosine: f64) -> [f64; 3] {
     let l = Direction::from_cosine(cosine, 0.0);
     let accuracy = Accuracy {
-        tolerance: 1e-7,
+        tolerance: 1e-6,
         ..Accuracy::FINE
     };
     if model.is_coloured() {
@@ -35,6 +39,19 @@ pub struct AlbedoTable {
 }
 
 impl AlbedoTable {
+    /// The table of a material; the same one if asked again.
+    #[must_use]
+    pub fn of(material: &Material) -> Arc<Self> {
+        static KNOWN: Mutex<Vec<(Material, Arc<AlbedoTable>)>> = Mutex::new(Vec::new());
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, table)) = known.iter().find(|(other, _)| other == material) {
+            return Arc::clone(table);
+        }
+        let table = Arc::new(Self::new(&*material.reference()));
+        known.push((material.clone(), Arc::clone(&table)));
+        table
+    }
+
     /// Tabulates a model.
     #[must_use]
     pub fn new(model: &(dyn Brdf + Send + Sync)) -> Self {
@@ -78,7 +95,6 @@ impl AlbedoTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Material;
 
     #[test]
     fn the_table_follows_the_integral() {

@@ -124,7 +124,7 @@ impl Description {
             })
             .collect::<Result<_, _>>()?;
         let daylight = self.daylight.map(|sky| {
-            let albedo = AlbedoTable::new(&*material.reference());
+            let albedo = AlbedoTable::of(material);
             let curve = cosine_curve(&|cosine| albedo.at(cosine));
             (curve, sky.map(|channel| channel * self.exposure))
         });
