@@ -94,6 +94,47 @@ fn what_comes_over_a_bad_line_is_true_and_what_is_lost_is_known() {
 }
 
 #[test]
+fn each_kind_of_damage_is_counted_where_it_shows() {
+    let certain = 1_000_000;
+    let none = Faults::default();
+
+    let (pixels, wire, damage) = over_the_line(Faults {
+        duplicate_ppm: certain,
+        ..none
+    });
+    assert_eq!(damage.duplicated, 389);
+    let (log, statistics) = receive(&wire);
+    assert_eq!((statistics.packets, statistics.duplicates), (778, 384));
+    assert_eq!(log.frames[0].bytes, pixels);
+
+    for faults in [
+        Faults {
+            flip_ppm: certain,
+            ..none
+        },
+        Faults {
+            lose_byte_ppm: certain,
+            ..none
+        },
+    ] {
+        let (_, wire, damage) = over_the_line(faults);
+        assert_eq!(damage.flipped + damage.bytes_lost, 389);
+        let (log, statistics) = receive(&wire);
+        assert_eq!(statistics.packets, 0, "{faults:?}");
+        // A hit delimiter joins two packets into one.
+        assert!((350..=400).contains(&statistics.noise), "{statistics:?}");
+        assert!(log.frames.is_empty());
+    }
+
+    let (_, wire, damage) = over_the_line(Faults {
+        drop_ppm: certain,
+        ..none
+    });
+    assert_eq!(damage.dropped, 389);
+    assert!(wire.iter().all(|&byte| byte == 0));
+}
+
+#[test]
 fn dropped_packets_and_missing_pixels_agree_exactly() {
     for seed in 0..50 {
         let (pixels, wire, damage) = over_the_line(Faults {
