@@ -65,8 +65,7 @@ fn head<A: HostArithmetic>(code: &mut String, description: &Description) {
          use microbrdf::shade::*;\n\
          #[allow(unused_imports)]\n\
          use microbrdf::table::CosineCurve;\n\n\
-         type A = {};\n\
-         type Gain = <A as Arithmetic>::Gain;\n\n\
+         type A = {};\n\n\
          /// The scene's name.\n\
          pub const NAME: &str = {:?};\n\
          /// What it is shaded in.\n\
@@ -76,13 +75,13 @@ fn head<A: HostArithmetic>(code: &mut String, description: &Description) {
          /// Rows.\n\
          pub const HEIGHT: usize = {};\n\
          /// What radiance is multiplied by.\n\
-         pub const EXPOSURE: f32 = {:?};\n\n",
+         pub const EXPOSURE: f64 = {:?};\n\n",
         A::TYPE,
         description.name,
         A::NAME,
         camera.width,
         camera.height,
-        description.exposure as f32,
+        description.exposure,
     );
 }
 

@@ -107,20 +107,24 @@ fn report(
     report
 }
 
-fn print(arithmetic: ArithmeticName, measured: &Measured, equal: Option<bool>) {
-    println!(
-        "{}: greatest error {:.3} LSB, {} codes; {:.3} % of codes off by one, {:.3} % by more; \
-         {} class flips (within {JUMP:e} of a jump); CIEDE2000 {:.3} (95th percentile), {:.3} \
-         (greatest)",
+/// What is printed for an arithmetic.
+#[must_use]
+pub fn line(arithmetic: ArithmeticName, measured: &Measured) -> String {
+    format!(
+        "{}: greatest error {:.3} LSB, {} codes; {:.3} % off by one, {:.3} % by more; \
+         {} class flips (within {JUMP:e} of a jump); CIEDE2000 {:.3} at most",
         arithmetic.name(),
         measured.lsb_error_max,
         measured.code_error_max,
         100.0 * measured.off_by_one,
         100.0 * measured.off_by_more,
         measured.class_flips,
-        measured.delta_e_p95,
         measured.delta_e_max,
-    );
+    )
+}
+
+fn print(arithmetic: ArithmeticName, measured: &Measured, equal: Option<bool>) {
+    println!("{}", line(arithmetic, measured));
     if let Some(equal) = equal {
         println!(
             "the device's picture {} the host's",

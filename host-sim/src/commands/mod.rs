@@ -2,7 +2,7 @@
 
 mod albedo;
 mod bake;
-mod compare;
+pub mod compare;
 mod device;
 mod eval;
 mod render;
