@@ -82,7 +82,7 @@ class Session:
         if self._frames < self._wishes.frames:
             self._all_whole = False
             self._say(f"frames received: {self._frames} of {self._wishes.frames}")
-        return DONE if self._all_whole and self._fault is None else INCOMPLETE
+        return DONE if self._all_whole else INCOMPLETE
 
     def _receive(self) -> None:
         last_packet = time.monotonic()
@@ -146,10 +146,9 @@ class Session:
             self._finish(Stopped.REFUSED)
 
     def _note(self, fault: Fault) -> None:
-        if self._fault is None:
-            self._fault = fault
-            self._over = True
-            self._say(f"the device reports a {fault.name}: {fault.text}")
+        self._fault = fault
+        self._over = True
+        self._say(f"the device reports a {fault.name}: {fault.text}")
 
     def _keep(self, frame: Frame) -> None:
         if self._bar is not None:
