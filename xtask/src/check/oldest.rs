@@ -12,18 +12,18 @@ use super::{Bench, Step};
 use crate::command::{self, Machine, Runner};
 use crate::failure::{During, Failure, Outcome};
 use crate::setup::apt;
-use crate::toolchain::{OLDEST, distribution};
+use crate::toolchain::{distribution, oldest, oldest_words};
 
 /// The step.
 pub fn step() -> Step {
-    super::step(format!("oldest Rust, {}.{}", OLDEST.0, OLDEST.1), run)
+    super::step(format!("oldest Rust, {}", oldest_words()), run)
 }
 
 fn run(bench: &Bench<'_>) -> Outcome<Tally> {
     let Some(mut cargo) = find(bench)? else {
         println!(
-            "skipped: Rust {}.{} is neither installed in rustup nor among the distribution's packages",
-            OLDEST.0, OLDEST.1
+            "skipped: Rust {} is neither installed in rustup nor among the distribution's packages",
+            oldest_words()
         );
         return Ok(Tally::SKIPPED);
     };
@@ -56,7 +56,7 @@ fn find(bench: &Bench<'_>) -> Outcome<Option<Command>> {
 /// An installed toolchain of that release.
 fn rustup_toolchain(runner: &dyn Runner) -> Option<String> {
     let list = runner.capture(&["rustup", "toolchain", "list"])?;
-    let wanted = format!("{}.{}", OLDEST.0, OLDEST.1);
+    let wanted = oldest_words();
     list.stdout
         .lines()
         .filter_map(|line| line.split_whitespace().next())
@@ -159,7 +159,7 @@ fn packaged(runner: &dyn Runner) -> Option<String> {
         .stdout
         .lines()
         .filter_map(|line| line.split('|').nth(1).map(str::trim))
-        .find(|version| distribution::release(version) == Some(OLDEST))
+        .find(|version| distribution::release(version) == Some(oldest()))
         .map(str::to_string)
 }
 
@@ -181,41 +181,26 @@ fn run_in(folder: &Path, command: &mut Command) -> Outcome<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::command::Finished;
-    use std::time::Duration;
+    use crate::setup::script::Script;
 
-    struct Says(&'static str);
-
-    impl Runner for Says {
-        fn has(&self, _: &str) -> bool {
-            true
-        }
-        fn capture(&self, _: &[&str]) -> Option<Finished> {
-            Some(Finished {
-                success: true,
-                stdout: self.0.to_string(),
-                stderr: String::new(),
-            })
-        }
-        fn show(&self, _: &[&str], _: Option<Duration>) -> bool {
-            false
-        }
+    fn packages(list: &str) -> Script {
+        Script::default().says("apt-cache madison rustc-web", list)
     }
 
     #[test]
     fn the_packaged_version_is_that_release_and_no_other() {
-        let both = Says(
+        let both = packages(
             " rustc-web | 1.96.0+dfsg1-1~deb12u2 | http://example.org stable-security/main\n \
              rustc-web | 1.85.0+dfsg3-1~deb12u3 | http://example.org stable/main\n",
         );
         assert_eq!(packaged(&both).as_deref(), Some("1.85.0+dfsg3-1~deb12u3"));
-        assert_eq!(packaged(&Says(" rustc-web | 1.96.0+dfsg1 | x\n")), None);
-        assert_eq!(packaged(&Says("")), None);
+        assert_eq!(packaged(&packages(" rustc-web | 1.96.0+dfsg1 | x\n")), None);
+        assert_eq!(packaged(&packages("")), None);
     }
 
     #[test]
     fn toolchains_of_rustup() {
-        let name = |list| rustup_toolchain(&Says(list));
+        let name = |list| rustup_toolchain(&Script::default().says("rustup toolchain list", list));
         assert_eq!(
             name("stable-x86_64 (active)\n1.85.1-x86_64\n"),
             Some("1.85.1-x86_64".into())

@@ -6,6 +6,8 @@ pub mod deny;
 pub mod offer;
 pub mod plan;
 pub mod python;
+#[cfg(test)]
+pub mod script;
 
 use crate::board::Board;
 use crate::command::Runner;
@@ -154,9 +156,8 @@ fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: &Local) -
             let compiler =
                 distribution::installed(runner, purpose == Purpose::Test).ok_or_else(|| {
                     Failure::lacking(format!(
-                        "the distribution's compiler is missing or older than Rust {}.{}",
-                        toolchain::OLDEST.0,
-                        toolchain::OLDEST.1
+                        "the distribution's compiler is missing or older than Rust {}",
+                        toolchain::oldest_words()
                     ))
                 })?;
             sysroot::build(layout, &compiler, targets)

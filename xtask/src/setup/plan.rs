@@ -13,6 +13,8 @@ pub struct Plan {
     pub targets: Vec<&'static str>,
     /// System packages, each with what it is for.
     pub packages: Vec<(&'static str, &'static str)>,
+    /// A compiler package that the package lists hold only in this, too old, version.
+    pub too_old: Option<(&'static str, String)>,
     /// Things made under `target/`.
     pub local: Vec<Local>,
 }
@@ -111,7 +113,7 @@ impl Plan {
         {
             self.targets.extend(targets);
         } else {
-            let family = choose_family(runner);
+            let family = self.choose_family(runner);
             for package in family.packages {
                 self.packages
                     .push((package, "compiler for the boards, with its source"));
@@ -124,16 +126,69 @@ impl Plan {
         }
         Ok(())
     }
+
+    /// The first family whose candidate is new enough; else the first of all, with a word on why it won't do.
+    fn choose_family(&mut self, runner: &dyn Runner) -> &'static distribution::Family {
+        let candidate = |family: &distribution::Family| apt::candidate(runner, family.packages[0]);
+        let new_enough = |version: &String| {
+            distribution::release(version).is_some_and(|release| release >= toolchain::oldest())
+        };
+        let fits =
+            |family: &&distribution::Family| candidate(family).as_ref().is_some_and(new_enough);
+        if let Some(family) = distribution::FAMILIES.iter().find(fits) {
+            return family;
+        }
+        let first = &distribution::FAMILIES[0];
+        self.too_old = candidate(first).map(|version| (first.packages[0], version));
+        first
+    }
 }
 
-/// The first family whose candidate is new enough; the first of all where the lists know none.
-fn choose_family(runner: &dyn Runner) -> &'static distribution::Family {
-    distribution::FAMILIES
-        .iter()
-        .find(|family| {
-            apt::candidate(runner, family.packages[0])
-                .and_then(|version| distribution::release(&version))
-                .is_some_and(|release| release >= toolchain::OLDEST)
-        })
-        .unwrap_or(&distribution::FAMILIES[0])
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setup::script::Script;
+
+    #[test]
+    fn the_first_family_that_is_new_enough() {
+        let mut plan = Plan::default();
+        let script = Script::default().says(
+            "apt-cache policy rustc-web",
+            "rustc-web:\n  Candidate: 1.96.0+dfsg1-1\n",
+        );
+        assert_eq!(plan.choose_family(&script).packages[0], "rustc-web");
+        assert_eq!(plan.too_old, None);
+    }
+
+    #[test]
+    fn an_old_family_gives_way_to_a_new_one() {
+        let mut plan = Plan::default();
+        let script = Script::default()
+            .says(
+                "apt-cache policy rustc-web",
+                "rustc-web:\n  Candidate: 1.78.0+dfsg1-1\n",
+            )
+            .says(
+                "apt-cache policy rustc",
+                "rustc:\n  Candidate: 1.90.0+dfsg1-1\n",
+            );
+        assert_eq!(plan.choose_family(&script).packages[0], "rustc");
+        assert_eq!(plan.too_old, None);
+    }
+
+    #[test]
+    fn where_all_are_too_old_it_is_said() {
+        let mut plan = Plan::default();
+        let script = Script::default()
+            .says(
+                "apt-cache policy rustc-web",
+                "rustc-web:\n  Candidate: 1.78.0+dfsg1-1\n",
+            )
+            .says("apt-cache policy rustc", "rustc:\n  Candidate: (none)\n");
+        assert_eq!(plan.choose_family(&script).packages[0], "rustc-web");
+        assert_eq!(
+            plan.too_old,
+            Some(("rustc-web", "1.78.0+dfsg1-1".to_string()))
+        );
+    }
 }

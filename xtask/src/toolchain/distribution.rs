@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::OLDEST;
+use super::oldest;
 use crate::command::{Runner, on_path};
 
 /// A set of packages that bring a compiler, its source and its lints.
@@ -93,7 +93,7 @@ pub fn installed(runner: &dyn Runner, clippy: bool) -> Option<Compiler> {
         .stdout
         .trim()
         .to_string();
-    (release(version.strip_prefix("rustc ")?)? >= OLDEST).then(|| Compiler {
+    (release(version.strip_prefix("rustc ")?)? >= oldest()).then(|| Compiler {
         rustc: rustc.to_path_buf(),
         version,
         linker,

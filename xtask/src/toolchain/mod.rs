@@ -17,8 +17,16 @@ use crate::command::Runner;
 use crate::failure::{Failure, Outcome};
 use crate::layout::Layout;
 
-/// Oldest compiler that builds the project: `rust-version` of the workspace.
-pub const OLDEST: (u32, u32) = (1, 85);
+/// Oldest compiler that builds the project, major and minor number: `rust-version` of the workspace.
+pub fn oldest() -> (u32, u32) {
+    distribution::release(env!("CARGO_PKG_RUST_VERSION")).unwrap_or((1, 85))
+}
+
+/// The same, as one writes it.
+pub fn oldest_words() -> String {
+    let (major, minor) = oldest();
+    format!("{major}.{minor}")
+}
 
 /// One of the two ways.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -64,10 +64,9 @@ pub fn build(layout: &Layout, compiler: &Compiler, targets: &[&str]) -> Outcome<
         .during(|| format!("starting cargo beside {}", compiler.rustc.display()))?;
     if !output.status.success() {
         return Err(Failure::lacking(format!(
-            "core could not be built with {} (at least Rust {}.{} and its source package are needed):\n{}",
+            "core could not be built with {} (at least Rust {} and its source package are needed):\n{}",
             compiler.version,
-            super::OLDEST.0,
-            super::OLDEST.1,
+            super::oldest_words(),
             String::from_utf8_lossy(&output.stderr)
         )));
     }
