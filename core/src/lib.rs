@@ -43,3 +43,7 @@ pub use colour::Rgb;
 pub use error::ParameterError;
 /// Re-exported, so that its types agree with this crate's.
 pub use fixed;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

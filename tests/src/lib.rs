@@ -1,7 +1,13 @@
 //! Where the core meets the reference: what is sampled, how an error is
 //! measured, and the one table of tolerances.
 
+pub mod document;
 pub mod domain;
 pub mod error;
 pub mod registry;
 pub mod tolerance;
+
+/// The example in the project's README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
