@@ -34,9 +34,11 @@ class Pty:
         tty.setraw(self.slave)
         self.name = os.ttyname(self.slave)
 
-    def send(self, data: bytes) -> None:
-        """Send, in the background as the line takes no more than it is read."""
-        threading.Thread(target=self._send, args=(data,), daemon=True).start()
+    def send(self, data: bytes) -> threading.Thread:
+        """Send, in the background as the line takes little more than is read."""
+        thread = threading.Thread(target=self._send, args=(data,), daemon=True)
+        thread.start()
+        return thread
 
     def _send(self, data: bytes) -> None:
         while data:
@@ -45,6 +47,14 @@ class Pty:
     def close(self) -> None:
         for descriptor in (self.master, self.slave):
             os.close(descriptor)
+
+
+def wait_until_read(sending: threading.Thread) -> None:
+    """Wait until the command has read what is being sent."""
+    sending.join(60)
+    assert not sending.is_alive()
+    # The line itself holds the last 4 KiB or so.
+    time.sleep(1)
 
 
 @pytest.fixture
@@ -184,9 +194,9 @@ def test_line_that_breaks_in_mid_frame(folder: Path) -> None:
 
 def test_pty_that_goes_away_in_mid_frame(folder: Path) -> None:
     line = Pty()
-    line.send(b"".join(SENT.packets()[:100]))
+    sending = line.send(b"".join(SENT.packets()[:100]))
     process = start(line.name, "--timeout", "30")
-    time.sleep(2)
+    wait_until_read(sending)
     line.close()
     status, _, errors = finish(process)
     assert status == 1
@@ -283,9 +293,9 @@ def test_log_goes_to_a_file(folder: Path) -> None:
 
 
 def test_interruption_keeps_what_arrived(pty: Pty, folder: Path) -> None:
-    pty.send(b"".join(SENT.packets()[:100]))
+    sending = pty.send(b"".join(SENT.packets()[:100]))
     process = start(pty.name, "--timeout", "30")
-    time.sleep(2)
+    wait_until_read(sending)
     process.send_signal(signal.SIGINT)
     status, _, errors = finish(process)
     assert status == 1
