@@ -136,15 +136,15 @@ pub fn greatest_albedo<B: Brdf + ?Sized>(brdf: &B) -> (Direction, Estimate) {
     let azimuths: &[f64] = if brdf.is_isotropic() {
         &[0.0]
     } else {
-        &[0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0]
+        &[0.0, 30.0, 60.0, 90.0]
     };
     let at = |degrees: f64, phi: f64, accuracy: Accuracy| {
         directional_albedo_for(brdf, &Direction::from_degrees(degrees, phi), accuracy)
     };
     let mut best = (0.0, 0.0, at(0.0, 0.0, Accuracy::COARSE).value);
-    const STEP: f64 = 2.0;
+    const STEP: f64 = 3.0;
     for &phi in azimuths {
-        for i in 1..=45 {
+        for i in 1..=30 {
             let degrees = STEP * f64::from(i);
             let a = at(degrees, phi, Accuracy::COARSE).value;
             if a > best.2 + 1e-9 {

@@ -33,6 +33,7 @@ pub mod fresnel;
 pub mod geometry;
 pub mod half;
 pub mod light;
+pub mod measured;
 pub mod models;
 pub mod quadrature;
 pub mod quantities;

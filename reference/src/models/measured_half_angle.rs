@@ -18,6 +18,7 @@ pub struct MeasuredHalfAngle {
     counts: [usize; 3],
     /// f in sr⁻¹ for each channel, cell by cell; φd runs fastest.
     cells: Vec<[f64; 3]>,
+    coloured: bool,
 }
 
 impl MeasuredHalfAngle {
@@ -35,7 +36,12 @@ impl MeasuredHalfAngle {
         if let Some(bad) = cells.iter().flatten().find(|v| !v.is_finite()) {
             return Err(ParameterError::new("cells", bad, "finite"));
         }
-        Ok(Self { counts, cells })
+        let coloured = cells.iter().any(|c| c[0] != c[1] || c[0] != c[2]);
+        Ok(Self {
+            counts,
+            cells,
+            coloured,
+        })
     }
 
     /// From the bytes of a MERL file.
@@ -165,7 +171,8 @@ fn from_difference(theta_h: f64, theta_d: f64, phi_d: f64) -> (Direction, Direct
 
 impl Brdf for MeasuredHalfAngle {
     fn eval(&self, l: &Direction, v: &Direction) -> f64 {
-        luminance(self.eval_rgb(l, v))
+        let f = self.eval_rgb(l, v);
+        if self.coloured { luminance(f) } else { f[0] }
     }
 
     fn eval_rgb(&self, l: &Direction, v: &Direction) -> [f64; 3] {
@@ -176,7 +183,7 @@ impl Brdf for MeasuredHalfAngle {
     }
 
     fn is_coloured(&self) -> bool {
-        true
+        self.coloured
     }
 
     fn is_isotropic(&self) -> bool {

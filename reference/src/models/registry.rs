@@ -418,9 +418,10 @@ pub const ALL: &[ModelEntry] = &[
         grazing: "as measured",
         examples: || {
             let blinn = Blinn::new(10.0).expect("in range");
+            let blinn = Mixed::new(vec![(0.9, Box::new(blinn))]).expect("in range");
             vec![example(
-                "a table of Blinn, n = 10, 30 × 10 × 10",
-                MeasuredHalfAngle::tabulate(&blinn, [30, 10, 10]).expect("a small table"),
+                "a table of 0.9 × Blinn, n = 10, 30 × 10 × 4",
+                MeasuredHalfAngle::tabulate(&blinn, [30, 10, 4]).expect("a small table"),
                 Conserves,
             )]
         },
@@ -436,11 +437,11 @@ pub const ALL: &[ModelEntry] = &[
         examples: || {
             let phong = Phong::new(3.0).expect("in range");
             let mut samples = Vec::new();
-            for i in 0..8 {
-                for j in 0..8 {
-                    for k in 0..5 {
-                        let l = Direction::from_degrees(f64::from(i) * 11.0, 0.0);
-                        let v = Direction::from_degrees(f64::from(j) * 11.0, f64::from(k) * 45.0);
+            for i in 0..5 {
+                for j in 0..5 {
+                    for k in 0..4 {
+                        let l = Direction::from_degrees(f64::from(i) * 20.0, 0.0);
+                        let v = Direction::from_degrees(f64::from(j) * 20.0, f64::from(k) * 60.0);
                         samples.push(Sample {
                             l,
                             v,
@@ -450,7 +451,7 @@ pub const ALL: &[ModelEntry] = &[
                 }
             }
             vec![example(
-                "320 samples of 0.6 × Phong, n = 3",
+                "100 samples of 0.6 × Phong, n = 3",
                 MeasuredIrregular::new(&samples).expect("samples"),
                 Conserves,
             )]

@@ -59,6 +59,50 @@ impl Chart {
     }
 }
 
+impl Chart {
+    /// The radius and azimuth (−π … π) of V in the chart placed at L. For L = N the azimuth
+    /// is counted from +x.
+    ///
+    /// Azimuth 0 is towards the normal (Mirror, Retro), towards the middle of the base
+    /// circle (Plane, RetroPlane) or towards L (Cosine, Half).
+    pub fn coordinates(&self, l: &Direction, v: &Direction) -> (f64, f64) {
+        let placed = Placed::new(self, l);
+        let (cx, cy) = placed.e1;
+        let (s, c) = (placed.sin_l, l.z);
+        let (along, across) = (v.x * cx + v.y * cy, v.y * cx - v.x * cy);
+        match self.kind {
+            ChartKind::Cosine => {
+                let sine = v.x.hypot(v.y);
+                (sine / (1.0 + v.z), across.atan2(along))
+            }
+            ChartKind::Mirror | ChartKind::Retro => {
+                let side = if self.kind == ChartKind::Mirror {
+                    -1.0
+                } else {
+                    1.0
+                };
+                let (da, dz) = (along - side * s, v.z - c);
+                let chord2 = da * da + across * across + dz * dz;
+                let u = s * dz - side * c * da;
+                ((chord2 / (4.0 - chord2)).max(0.0).sqrt(), across.atan2(u))
+            }
+            ChartKind::Half => {
+                let h = (along + s, across, v.z + c);
+                (h.0.hypot(h.1) / h.2, h.1.atan2(h.0))
+            }
+            ChartKind::Plane | ChartKind::RetroPlane => {
+                let side = if self.kind == ChartKind::Plane {
+                    -1.0
+                } else {
+                    1.0
+                };
+                let u = s - side * along;
+                (u.hypot(across), across.atan2(u))
+            }
+        }
+    }
+}
+
 /// A chart placed at a direction L.
 pub(crate) struct Placed<'a> {
     chart: &'a Chart,
@@ -192,6 +236,62 @@ impl<'a> Placed<'a> {
                     measure: t * dt,
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_invert_the_points() {
+        let l = Direction::from_degrees(55.0, 130.0);
+        for kind in [
+            ChartKind::Cosine,
+            ChartKind::Mirror,
+            ChartKind::Retro,
+            ChartKind::Half,
+            ChartKind::Plane,
+            ChartKind::RetroPlane,
+        ] {
+            let chart = Chart::new(kind, 0.3);
+            let placed = Placed::new(&chart, &l);
+            for (q, phi) in [(0.2, 0.5), (0.4, -2.0), (0.1, 3.0)] {
+                let point = placed.at(q, phi);
+                assert!(point.above > 0.0);
+                let (t, azimuth) = chart.coordinates(&l, &point.v);
+                let (expected, _) = placed.radius(q);
+                assert!((t - expected).abs() < 1e-12, "{kind:?}: {t} {expected}");
+                assert!((azimuth - phi).abs() < 1e-11, "{kind:?}: {azimuth} {phi}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_measure_is_projected_solid_angle() {
+        // Over a small cell the midpoint rule must give the same area in every chart.
+        let l = Direction::from_degrees(35.0, 20.0);
+        let v = Direction::from_degrees(50.0, 170.0);
+        let (d, n) = (1e-4, v);
+        for kind in [
+            ChartKind::Cosine,
+            ChartKind::Mirror,
+            ChartKind::Half,
+            ChartKind::Plane,
+        ] {
+            let chart = Chart::new(kind, 0.5);
+            let placed = Placed::new(&chart, &l);
+            let (t, phi) = chart.coordinates(&l, &n);
+            let q = placed.q_of_radius(t).unwrap();
+            let corner = |a: f64, b: f64| placed.at(q + a * d, phi + b * d).v;
+            let (p, r, s) = (corner(-0.5, -0.5), corner(0.5, -0.5), corner(-0.5, 0.5));
+            let area = ((r.x - p.x) * (s.y - p.y) - (r.y - p.y) * (s.x - p.x)).abs();
+            let measure = placed.at(q, phi).measure * d * d;
+            assert!(
+                (area / measure - 1.0).abs() < 1e-3,
+                "{kind:?}: {area} {measure}"
+            );
         }
     }
 }

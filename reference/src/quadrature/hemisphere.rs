@@ -194,3 +194,89 @@ pub fn hemisphere(
     )
     .scaled(symmetry)
 }
+
+/// ∫ f(V) cosΘV dω over a cell of a chart: radii and azimuths between two values, and
+/// above the horizon. `creases` as for [`hemisphere`].
+pub fn chart_cell(
+    l: &Direction,
+    chart: &Chart,
+    radii: (f64, f64),
+    azimuths: (f64, f64),
+    accuracy: Accuracy,
+    creases: &dyn Fn(&Direction, &mut Vec<f64>),
+    f: &dyn Fn(&Direction) -> f64,
+) -> Estimate {
+    let placed = Placed::new(chart, l);
+    let q_of = |t: f64| {
+        if t == 0.0 {
+            0.0
+        } else {
+            placed.q_of_radius(t).unwrap_or(1.0)
+        }
+    };
+    let mut radial = vec![q_of(radii.0), q_of(radii.1)];
+    radial.extend(
+        (chart.edges.iter())
+            .filter(|t| **t > radii.0 && **t < radii.1)
+            .map(|t| q_of(*t)),
+    );
+    radial.sort_by(f64::total_cmp);
+    let above = |q: f64, phi: f64| placed.at(q, phi).above;
+    let mut inner = |q: f64| {
+        // In every chart the horizon is crossed at most once on either side of azimuth 0.
+        let mut breaks = vec![azimuths.0, azimuths.1];
+        for (a, b) in [
+            (azimuths.0, azimuths.1.min(0.0)),
+            (azimuths.0.max(0.0), azimuths.1),
+        ] {
+            if a < b && (above(q, a) < 0.0) != (above(q, b) < 0.0) {
+                breaks.push(find_root(&mut |phi| above(q, phi), a, b));
+            }
+        }
+        if azimuths.0 < 0.0 && azimuths.1 > 0.0 {
+            breaks.push(0.0);
+        }
+        // Creases that change sign between neighbours of a small grid.
+        let values = |phi: f64| {
+            let mut out = Vec::new();
+            creases(&placed.at(q, phi).v, &mut out);
+            out
+        };
+        let step = (azimuths.1 - azimuths.0) / 6.0;
+        let mut before = values(azimuths.0);
+        for i in 1..=6 {
+            let (a, b) = (
+                azimuths.0 + step * f64::from(i - 1),
+                azimuths.0 + step * f64::from(i),
+            );
+            let now = values(b);
+            for k in 0..now.len() {
+                if (before[k] < 0.0) != (now[k] < 0.0) {
+                    breaks.push(find_root(&mut |phi| values(phi)[k], a, b));
+                }
+            }
+            before = now;
+        }
+        breaks.sort_by(f64::total_cmp);
+        adaptive(
+            &mut |phi| {
+                let point = placed.at(q, phi);
+                let value = if point.above < 0.0 {
+                    0.0
+                } else {
+                    f(&point.v) * point.measure
+                };
+                Estimate { value, error: 0.0 }
+            },
+            &breaks,
+            accuracy.tolerance * 0.05,
+            accuracy.inner_panels,
+        )
+    };
+    adaptive(
+        &mut inner,
+        &radial,
+        accuracy.tolerance,
+        accuracy.outer_panels,
+    )
+}

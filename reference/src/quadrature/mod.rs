@@ -10,7 +10,7 @@ mod hemisphere;
 mod interval;
 
 pub use chart::{Chart, ChartKind};
-pub use hemisphere::{Accuracy, hemisphere};
+pub use hemisphere::{Accuracy, chart_cell, hemisphere};
 pub use interval::{adaptive, find_root};
 
 /// A computed value and a bound on its error, both in the same unit.

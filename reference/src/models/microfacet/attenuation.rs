@@ -56,7 +56,8 @@ impl Attenuation {
                 groove.min(1.0 / (l.z * v.z))
             }
             Self::HeTorrance | Self::Smith => {
-                self.one_sided(distribution, l.z) / l.z * (self.one_sided(distribution, v.z) / v.z)
+                self.one_sided_over_cos(distribution, l.z)
+                    * self.one_sided_over_cos(distribution, v.z)
             }
         };
         if value.is_nan() {
@@ -97,6 +98,19 @@ impl Attenuation {
                 2.0 / (1.0 + (1.0 + t * t).sqrt())
             }
             _ => 1.0,
+        }
+    }
+
+    /// The factor of one direction over its cosine, with its limit at the horizon.
+    fn one_sided_over_cos(self, distribution: &Distribution, cos: f64) -> f64 {
+        if cos > 0.0 {
+            return self.one_sided(distribution, cos) / cos;
+        }
+        match (self, distribution) {
+            (Self::HeTorrance, Distribution::Beckmann { m }) => (0.5 * PI).sqrt() / m,
+            (Self::Smith, Distribution::Beckmann { m }) => 2.0 * PI.sqrt() / m,
+            (Self::Smith, Distribution::Trowbridge { q }) => 2.0 / q,
+            _ => f64::INFINITY,
         }
     }
 
@@ -145,6 +159,27 @@ mod tests {
             let trowbridge = Distribution::trowbridge(0.4).unwrap();
             let s = seen(Attenuation::Smith, &trowbridge, degrees);
             assert!((s - 1.0).abs() < 1e-6, "Trowbridge {degrees}: {s}");
+        }
+    }
+
+    #[test]
+    fn the_limits_at_the_horizon_are_met() {
+        for (g, d) in [
+            (Attenuation::Smith, Distribution::beckmann(0.4).unwrap()),
+            (Attenuation::Smith, Distribution::trowbridge(0.4).unwrap()),
+            (
+                Attenuation::HeTorrance,
+                Distribution::beckmann(0.4).unwrap(),
+            ),
+        ] {
+            let (limit, near) = (
+                g.one_sided_over_cos(&d, 0.0),
+                g.one_sided_over_cos(&d, 1e-7),
+            );
+            assert!(
+                (near / limit - 1.0).abs() < 1e-5,
+                "{g:?} {d:?}: {near} {limit}"
+            );
         }
     }
 

@@ -1,0 +1,287 @@
+//! Sampling against density: chi-square with fixed seeds, and the mean weight against the
+//! albedo, for every model that has a sampler.
+//!
+//! Bins are rings about the lobe's centre that hold equal shares of the samples of a pilot
+//! run, divided in azimuth; their expected shares are integrals of the sampler's own pdf.
+//! What is rejected is one more outcome.
+
+use microbrdf_reference::albedo::directional_albedo_for;
+use microbrdf_reference::brdf::luminance;
+use microbrdf_reference::models::{ALL, ModelEntry, PatchExponential};
+use microbrdf_reference::quadrature::{Accuracy, Chart, ChartKind, chart_cell};
+use microbrdf_reference::sampling::{Mixture, MixtureMethod, Random, Sampler};
+use microbrdf_reference::{Brdf, Direction};
+use std::f64::consts::{PI, TAU};
+
+const ANGLES: [f64; 5] = [0.0, 30.0, 60.0, 85.0, 89.9];
+/// Samples for each angle: a million for each model.
+const SAMPLES: usize = 200_000;
+const RINGS: usize = 12;
+const SECTORS: usize = 8;
+/// Significance of each half of the models; each test gets its share (Bonferroni).
+const LEVEL: f64 = 0.01;
+
+/// Upper tail of the chi-square distribution, by Wilson and Hilferty's cube root: within
+/// some per cent of the tail for the 80 or so degrees of freedom here.
+fn tail(chi2: f64, freedom: f64) -> f64 {
+    let t = 2.0 / (9.0 * freedom);
+    let z = ((chi2 / freedom).cbrt() - (1.0 - t)) / t.sqrt();
+    0.5 * libm::erfc(z * std::f64::consts::FRAC_1_SQRT_2)
+}
+
+/// The chart of a model, in a kind that has bins: microfacet lobes don't occur here.
+fn chart_of(model: &dyn Brdf, v: &Direction) -> Chart {
+    let chart = model.chart(v);
+    assert_ne!(chart.kind, ChartKind::Half, "no bins about the half vector");
+    chart
+}
+
+struct Bins {
+    v: Direction,
+    chart: Chart,
+    edges: Vec<f64>,
+}
+
+impl Bins {
+    /// Rings of equal mass, from a pilot run.
+    fn new(sampler: &dyn Sampler, v: Direction, chart: Chart, random: &mut Random) -> Self {
+        let mut radii: Vec<f64> = (0..20_000)
+            .filter_map(|_| sampler.sample(&mut || random.uniform()))
+            .map(|s| chart.coordinates(&v, &s.direction).0)
+            .collect();
+        radii.sort_by(f64::total_cmp);
+        let edges = (1..RINGS).map(|i| radii[i * radii.len() / RINGS]).collect();
+        Self { v, chart, edges }
+    }
+
+    fn index(&self, l: &Direction) -> usize {
+        let (t, phi) = self.chart.coordinates(&self.v, l);
+        let ring = self.edges.partition_point(|e| *e <= t);
+        let sector = ((phi + PI) / TAU * SECTORS as f64) as usize;
+        ring * SECTORS + sector.min(SECTORS - 1)
+    }
+
+    /// The pdf's integral over each bin, and what is missing from 1 as the last one.
+    fn shares(&self, model: &dyn Brdf, sampler: &dyn Sampler) -> Vec<f64> {
+        let accuracy = Accuracy {
+            tolerance: 1e-8,
+            outer_panels: 60,
+            inner_panels: 30,
+        };
+        let mut shares = Vec::new();
+        for ring in 0..RINGS {
+            let low = if ring == 0 { 0.0 } else { self.edges[ring - 1] };
+            let high = self.edges.get(ring).copied().unwrap_or(f64::INFINITY);
+            for sector in 0..SECTORS {
+                let width = TAU / SECTORS as f64;
+                let from = width * sector as f64 - PI;
+                let density = |l: &Direction| {
+                    if l.z > 0.0 { sampler.pdf(l) / l.z } else { 0.0 }
+                };
+                let e = chart_cell(
+                    &self.v,
+                    &self.chart,
+                    (low, high),
+                    (from, from + width),
+                    accuracy,
+                    &|l, out| model.creases(&self.v, l, out),
+                    &density,
+                );
+                shares.push(e.value);
+            }
+        }
+        let total: f64 = shares.iter().sum();
+        assert!(total <= 1.0 + 1e-5, "the density's integral is {total}");
+        shares.push((1.0 - total).max(0.0));
+        shares
+    }
+}
+
+struct Outcome {
+    /// Probability of a chi-square at least as large.
+    p: f64,
+    /// Deviation of the mean weight from the albedo, in standard errors.
+    z: f64,
+}
+
+/// The chi-square of `counts` against `shares`; thin bins are put together.
+fn chi_square(counts: &[usize], shares: &[f64]) -> f64 {
+    let n: usize = counts.iter().sum();
+    let (mut chi2, mut cells) = (0.0, 0);
+    let mut rest = (0.0, 0.0);
+    for (count, share) in counts.iter().zip(shares) {
+        let (count, e) = (*count as f64, share * n as f64);
+        if e < 20.0 {
+            rest = (rest.0 + count, rest.1 + e);
+        } else {
+            chi2 += (count - e) * (count - e) / e;
+            cells += 1;
+        }
+    }
+    if rest.1 >= 5.0 {
+        chi2 += (rest.0 - rest.1) * (rest.0 - rest.1) / rest.1;
+        cells += 1;
+    } else if rest.0 > rest.1 + 20.0 {
+        // Samples where the density is (almost) 0.
+        return 0.0;
+    }
+    tail(chi2, f64::from(cells - 1))
+}
+
+fn run(model: &dyn Brdf, sampler: &dyn Sampler, v: Direction, seed: u64) -> Outcome {
+    let mut random = Random::new(seed);
+    let bins = Bins::new(sampler, v, chart_of(model, &v), &mut random);
+    let mut counts = vec![0usize; RINGS * SECTORS + 1];
+    let (mut mean, mut square) = (0.0, 0.0);
+    for i in 1..=SAMPLES {
+        let weight = match sampler.sample(&mut || random.uniform()) {
+            Some(s) => {
+                assert!(s.direction.z >= 0.0, "{:?}", s.direction);
+                counts[bins.index(&s.direction)] += 1;
+                luminance(s.weight)
+            }
+            None => {
+                counts[RINGS * SECTORS] += 1;
+                0.0
+            }
+        };
+        let before = weight - mean;
+        mean += before / i as f64;
+        square += before * (weight - mean);
+    }
+    let albedo = directional_albedo_for(
+        model,
+        &v,
+        Accuracy {
+            tolerance: 1e-9,
+            ..Accuracy::FINE
+        },
+    );
+    let error = square.sqrt() / SAMPLES as f64;
+    let difference = mean - albedo.value;
+    // Equal weights have no variance: then only rounding and the quadrature's error count.
+    let z = if error > 1e-12 {
+        difference / error
+    } else {
+        difference / (1e-8 + albedo.error)
+    };
+    Outcome {
+        p: chi_square(&counts, &bins.shares(model, sampler)),
+        z,
+    }
+}
+
+fn with_samplers() -> Vec<&'static ModelEntry> {
+    ALL.iter().filter(|m| m.sampler.is_some()).collect()
+}
+
+fn check(part: usize) {
+    let mut results = Vec::new();
+    for entry in with_samplers().into_iter().skip(part).step_by(2) {
+        let visit = entry.sampler.expect("filtered");
+        for (k, degrees) in ANGLES.into_iter().enumerate() {
+            let v = Direction::from_degrees(degrees, 25.0);
+            let mut variant = 0;
+            visit(v, &mut |model, sampler| {
+                let outcome = run(model, sampler, v, 100 + k as u64);
+                results.push((entry.name, variant, degrees, outcome));
+                variant += 1;
+            });
+        }
+    }
+    let threshold = LEVEL / results.len() as f64;
+    for (name, variant, degrees, outcome) in &results {
+        let what = format!("{name}, sampler {variant}, {degrees}°");
+        assert!(
+            outcome.p > threshold,
+            "{what}: p = {} (of {})",
+            outcome.p,
+            results.len()
+        );
+        assert!(outcome.z.abs() < 4.0, "{what}: z = {}", outcome.z);
+    }
+}
+
+// Two halves, for two cores.
+#[test]
+fn samples_follow_their_density_in_the_even_models() {
+    check(0);
+}
+
+#[test]
+fn samples_follow_their_density_in_the_odd_models() {
+    check(1);
+}
+
+#[test]
+fn the_texts_samplers_are_all_here() {
+    let names: Vec<_> = with_samplers().iter().map(|m| m.name).collect();
+    assert_eq!(
+        names,
+        [
+            "generalised_lambert",
+            "lambert",
+            "metal",
+            "metal_half",
+            "metallic_paint",
+            "metallic_phong",
+            "p_model",
+            "patch",
+            "patch_elliptic",
+            "patch_exponential",
+            "patch_retro",
+            "phong",
+            "retro_phong",
+            "tobler_exponential",
+            "tobler_power",
+        ]
+    );
+}
+
+#[test]
+fn the_printed_two_step_sampler_has_another_density() {
+    let model = PatchExponential::new(4.0).unwrap();
+    let v = Direction::from_degrees(85.0, 0.0);
+    let printed = Mixture::new(model, v, MixtureMethod::TwoStep);
+    let right = Mixture::new(model, v, MixtureMethod::Redraw);
+    let mut random = Random::new(5);
+    let bins = Bins::new(&right, v, chart_of(&model, &v), &mut random);
+    let mut counts = vec![0usize; RINGS * SECTORS + 1];
+    for _ in 0..100_000 {
+        let s = printed
+            .sample(&mut || random.uniform())
+            .expect("never rejects");
+        counts[bins.index(&s.direction)] += 1;
+    }
+    let (own, exact) = (bins.shares(&model, &printed), bins.shares(&model, &right));
+    assert!(chi_square(&counts, &own) > 1e-3);
+    assert!(chi_square(&counts, &exact) < 1e-12);
+    let variation: f64 = own
+        .iter()
+        .zip(&exact)
+        .map(|(a, b)| 0.5 * (a - b).abs())
+        .sum();
+    assert!(variation > 0.02 && variation < 0.1, "{variation}");
+}
+
+#[test]
+fn a_wrong_density_is_noticed() {
+    // The same samples against a lobe that is 3 % too sharp.
+    let model = microbrdf_reference::models::Phong::new(20.0).unwrap();
+    let v = Direction::from_degrees(30.0, 0.0);
+    let (a, b) = (
+        microbrdf_reference::sampling::PhongLobe::new(&model, 20.0, v),
+        microbrdf_reference::sampling::PhongLobe::new(&model, 20.6, v),
+    );
+    let mut random = Random::new(6);
+    let bins = Bins::new(&a, v, chart_of(&model, &v), &mut random);
+    let mut counts = vec![0usize; RINGS * SECTORS + 1];
+    for _ in 0..200_000 {
+        match a.sample(&mut || random.uniform()) {
+            Some(s) => counts[bins.index(&s.direction)] += 1,
+            None => counts[RINGS * SECTORS] += 1,
+        }
+    }
+    assert!(chi_square(&counts, &bins.shares(&model, &a)) > 1e-3);
+    assert!(chi_square(&counts, &bins.shares(&model, &b)) < 1e-6);
+}
