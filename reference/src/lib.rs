@@ -29,6 +29,7 @@ pub mod brdf;
 pub mod colour;
 pub mod direction;
 pub mod error;
+pub mod figures;
 pub mod fresnel;
 pub mod geometry;
 pub mod half;

@@ -1,0 +1,2 @@
+// figure data: written by the helper plot
+//! What the thesis' figures show, as curves.
