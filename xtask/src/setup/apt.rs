@@ -22,11 +22,20 @@ pub const LEAN: &str = "--no-install-recommends";
 
 /// The candidate version of a package; `None` where the package lists don't know it.
 pub fn candidate(runner: &dyn Runner, package: &str) -> Option<String> {
+    policy(runner, package, "Candidate:")
+}
+
+/// The installed version of a package; `None` where it is not installed.
+pub fn installed(runner: &dyn Runner, package: &str) -> Option<String> {
+    policy(runner, package, "Installed:")
+}
+
+fn policy(runner: &dyn Runner, package: &str, line: &str) -> Option<String> {
     let policy = runner.capture(&["apt-cache", "policy", package])?;
     let version = policy
         .stdout
         .lines()
-        .find_map(|line| line.trim().strip_prefix("Candidate:"))?;
+        .find_map(|text| text.trim().strip_prefix(line))?;
     let version = version.trim();
     (version != "(none)").then(|| version.to_string())
 }

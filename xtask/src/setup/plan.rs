@@ -4,7 +4,8 @@ use crate::command::Runner;
 use crate::failure::Outcome;
 use crate::layout::Layout;
 use crate::setup::{Purpose, apt, deny, python};
-use crate::toolchain::{self, Way, active, distribution, sysroot};
+use crate::toolchain::distribution::{self, FAMILIES, Family};
+use crate::toolchain::{self, Way, active, sysroot};
 
 /// What is missing for a purpose, sorted by how it is brought.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -127,19 +128,23 @@ impl Plan {
         Ok(())
     }
 
-    /// The first family whose candidate is new enough; else the first of all, with a word on why it won't do.
-    fn choose_family(&mut self, runner: &dyn Runner) -> &'static distribution::Family {
-        let candidate = |family: &distribution::Family| apt::candidate(runner, family.packages[0]);
-        let new_enough = |version: &String| {
-            distribution::release(version).is_some_and(|release| release >= toolchain::oldest())
+    /// The family that is installed, else the first one that can be, each if new enough; else the first of all, with a word on why it won't do.
+    fn choose_family(&mut self, runner: &dyn Runner) -> &'static Family {
+        let new_enough = |version: Option<String>| {
+            version
+                .and_then(|version| distribution::release(&version))
+                .is_some_and(|release| release >= toolchain::oldest())
         };
-        let fits =
-            |family: &&distribution::Family| candidate(family).as_ref().is_some_and(new_enough);
-        if let Some(family) = distribution::FAMILIES.iter().find(fits) {
+        let rustc = |family: &Family| family.packages[0];
+        // Families exclude each other: another one than what is there would remove it.
+        let there = |family: &&Family| new_enough(apt::installed(runner, rustc(family)));
+        let offered = |family: &&Family| new_enough(apt::candidate(runner, rustc(family)));
+        let families = || FAMILIES.iter();
+        if let Some(family) = families().find(there).or_else(|| families().find(offered)) {
             return family;
         }
-        let first = &distribution::FAMILIES[0];
-        self.too_old = candidate(first).map(|version| (first.packages[0], version));
+        let first = &FAMILIES[0];
+        self.too_old = apt::candidate(runner, rustc(first)).map(|version| (rustc(first), version));
         first
     }
 }
@@ -174,6 +179,21 @@ mod tests {
             );
         assert_eq!(plan.choose_family(&script).packages[0], "rustc");
         assert_eq!(plan.too_old, None);
+    }
+
+    #[test]
+    fn an_installed_family_is_kept() {
+        let mut plan = Plan::default();
+        let script = Script::default()
+            .says(
+                "apt-cache policy rustc-web",
+                "r:\n  Installed: (none)\n  Candidate: 1.96.0\n",
+            )
+            .says(
+                "apt-cache policy rustc",
+                "r:\n  Installed: 1.90.0\n  Candidate: 1.90.0\n",
+            );
+        assert_eq!(plan.choose_family(&script).packages[0], "rustc");
     }
 
     #[test]
