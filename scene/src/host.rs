@@ -113,6 +113,24 @@ pub trait HostArithmetic:
     fn one_code() -> &'static str;
 }
 
+/// `value`/2^`bits` with all its decimals, of which there are at most `bits`:
+/// it reads back exactly into any type that holds it. (The digits that `fixed`
+/// itself prints read back only into the same type.)
+fn exact(value: u128, bits: u32) -> String {
+    let mask = (1 << bits) - 1;
+    let mut text = (value >> bits).to_string();
+    let mut rest = value & mask;
+    if rest != 0 {
+        text.push('.');
+    }
+    while rest != 0 {
+        rest *= 10;
+        text.push(char::from(b'0' + (rest >> bits) as u8));
+        rest &= mask;
+    }
+    text
+}
+
 fn f32_code(value: f32) -> String {
     format!("f32::from_bits({:#010x})", value.to_bits())
 }
@@ -127,7 +145,7 @@ impl HostArithmetic for F32 {
         f64::from(component)
     }
     fn component_text(component: f32) -> String {
-        component.to_string()
+        f64::from(component).to_string()
     }
     fn unit(value: f64) -> f32 {
         value as f32
@@ -148,10 +166,10 @@ impl HostArithmetic for F32 {
         value as f32
     }
     fn value_text(value: f32) -> String {
-        value.to_string()
+        f64::from(value).to_string()
     }
     fn radiance_text(radiance: f32) -> String {
-        radiance.to_string()
+        f64::from(radiance).to_string()
     }
     fn exponent_value(value: f64) -> f64 {
         f64::from(value as f32)
@@ -223,7 +241,7 @@ impl<const CELLS: usize> HostArithmetic for Q31<CELLS> {
         component.to_num()
     }
     fn component_text(component: I2F30) -> String {
-        component.to_string()
+        Self::component_value(component).to_string()
     }
     fn unit(value: f64) -> U1F31 {
         U1F31::saturating_from_num(value)
@@ -244,10 +262,10 @@ impl<const CELLS: usize> HostArithmetic for Q31<CELLS> {
         I24F40::saturating_from_num(value)
     }
     fn value_text(value: fixed::types::U64F64) -> String {
-        value.to_string()
+        exact(value.to_bits(), 64)
     }
     fn radiance_text(radiance: U32F32) -> String {
-        radiance.to_string()
+        exact(radiance.to_bits().into(), 32)
     }
     fn exponent_value(value: f64) -> f64 {
         U32F32::saturating_from_num(value).to_num()

@@ -76,8 +76,26 @@ impl<'t, 'i> Table<'t, 'i> {
     }
 
     pub(crate) fn required(&self, field: &'static str) -> Result<Value<'t, 'i>, Fault> {
-        self.optional(field)
-            .ok_or_else(|| self.fault(format!("the field `{field}` is missing")))
+        self.optional(field).ok_or_else(|| self.missing(field))
+    }
+
+    /// A field that is not there, or not under that name.
+    fn missing(&self, field: &str) -> Fault {
+        let misspelt = self.entries.iter().find(|(key, _)| {
+            let name: &str = key.get_ref();
+            strsim::damerau_levenshtein(name, field) <= 2 && !self.known.borrow().contains(&name)
+        });
+        match misspelt {
+            Some((key, _)) => Fault::new(
+                key.span().start,
+                format!(
+                    "{}unknown field `{}`; did you mean `{field}`?",
+                    self.prefix(),
+                    key.get_ref()
+                ),
+            ),
+            None => self.fault(format!("the field `{field}` is missing")),
+        }
     }
 
     /// The sub-tables with their names, for tables whose keys are free.
