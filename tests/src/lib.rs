@@ -1,6 +1,7 @@
 //! Where the core meets the reference: what is sampled, how an error is
 //! measured, and the one table of tolerances.
 
+pub mod arithmetic;
 pub mod document;
 pub mod domain;
 pub mod error;

@@ -1,0 +1,140 @@
+//! What tests need of an arithmetic, and the one list of those tested.
+
+use fixed::types::{U32F32, U64F64};
+use microbrdf::arithmetic::{F32, Gain31, Q31};
+use microbrdf::geometry::Direction;
+use microbrdf_bits::Sampled;
+use microbrdf_reference as reference;
+use microbrdf_scene::HostArithmetic;
+
+/// Makes a `#[test]` in every arithmetic of each function that is generic
+/// over it.
+///
+/// A new arithmetic is one line here.
+#[macro_export]
+macro_rules! in_every_arithmetic {
+    ($($test:ident),+ $(,)?) => {
+        $crate::in_arithmetic!(f32, microbrdf::arithmetic::F32, $($test),+);
+        $crate::in_arithmetic!(q31, microbrdf::arithmetic::Q31, $($test),+);
+    };
+}
+
+/// The tests of one arithmetic.
+#[macro_export]
+macro_rules! in_arithmetic {
+    ($name:ident, $arithmetic:ty, $($test:ident),+) => {
+        mod $name {
+            $(
+                #[test]
+                fn $test() {
+                    super::$test::<$arithmetic>();
+                }
+            )+
+        }
+    };
+}
+
+/// An arithmetic with what tests expect of it.
+pub trait Tested: HostArithmetic + Sampled {
+    /// Whether it takes exponents between 0 and 1.
+    const FRACTIONAL_EXPONENTS: bool;
+    /// Greatest error of a component of a unit vector by rounding.
+    const COMPONENT_ERROR: f64;
+    /// Greatest relative error of a stored lobe at a given versine.
+    const LOBE_ERROR: f64;
+    /// One step of a share near 1.
+    const UNIT_STEP: f64;
+    /// One step of a peak relative to it, or absolute, the greater counts.
+    const SCALE_STEP: [f64; 2];
+
+    /// A gain of 0.
+    fn no_gain() -> Self::Gain;
+    /// The peak's value.
+    fn scale_value(scale: Self::Scale) -> f64;
+    /// The BRDF's value.
+    fn value_value(value: Self::Value) -> f64;
+    /// The radiance's value.
+    fn radiance_value(radiance: Self::Radiance) -> f64;
+    /// Whether a BRDF value is the greatest that its type holds.
+    fn is_greatest(value: Self::Value) -> bool;
+    /// Whether a radiance is no greater than a peak, compared in their bits.
+    fn at_most(radiance: Self::Radiance, peak: Self::Scale) -> bool;
+}
+
+impl Tested for F32 {
+    const FRACTIONAL_EXPONENTS: bool = true;
+    // Half of the spacing in [1/2, 1].
+    const COMPONENT_ERROR: f64 = 1.0 / (1u64 << 25) as f64;
+    const LOBE_ERROR: f64 = 4e-6;
+    const UNIT_STEP: f64 = 1.0 / (1u64 << 24) as f64;
+    const SCALE_STEP: [f64; 2] = [1.2e-7, 0.0];
+
+    fn no_gain() -> f32 {
+        0.0
+    }
+    fn scale_value(scale: f32) -> f64 {
+        f64::from(scale)
+    }
+    fn value_value(value: f32) -> f64 {
+        f64::from(value)
+    }
+    fn radiance_value(radiance: f32) -> f64 {
+        f64::from(radiance)
+    }
+    fn is_greatest(value: f32) -> bool {
+        value == f32::MAX
+    }
+    fn at_most(radiance: f32, peak: f32) -> bool {
+        radiance <= peak
+    }
+}
+
+impl<const CELLS: usize> Tested for Q31<CELLS> {
+    const FRACTIONAL_EXPONENTS: bool = false;
+    const COMPONENT_ERROR: f64 = 1.0 / (1u64 << 31) as f64;
+    const LOBE_ERROR: f64 = 1.3e-4;
+    const UNIT_STEP: f64 = 1.0 / (1u64 << 31) as f64;
+    const SCALE_STEP: [f64; 2] = [0.0, 1.0 / (1u64 << 32) as f64];
+
+    fn no_gain() -> Gain31 {
+        Gain31::new(U32F32::ZERO)
+    }
+    fn scale_value(scale: U32F32) -> f64 {
+        scale.to_num()
+    }
+    fn value_value(value: U64F64) -> f64 {
+        value.to_num()
+    }
+    fn radiance_value(radiance: U32F32) -> f64 {
+        radiance.to_num()
+    }
+    fn is_greatest(value: U64F64) -> bool {
+        value == U64F64::MAX
+    }
+    fn at_most(radiance: U32F32, peak: U32F32) -> bool {
+        radiance <= peak
+    }
+}
+
+/// A direction, each component rounded once.
+pub fn rounded<A: HostArithmetic>([x, y, z]: [f64; 3]) -> Direction<A> {
+    Direction::new(A::component(x), A::component(y), A::component(z))
+}
+
+/// The value of a rounded direction.
+pub fn value_of<A: HostArithmetic>(direction: &Direction<A>) -> reference::Direction {
+    reference::Direction::new(
+        A::component_value(direction.x),
+        A::component_value(direction.y),
+        A::component_value(direction.z),
+    )
+}
+
+/// Raw bits, for comparison to the last of them: -0.0 is not 0.0 here.
+pub fn bits<T: microbrdf_bits::Raw>(results: [T; 3]) -> Vec<u8> {
+    let mut all = Vec::new();
+    for result in &results {
+        result.bytes(&mut |bytes| all.extend_from_slice(bytes));
+    }
+    all
+}
