@@ -158,7 +158,7 @@ pub fn lines(report: &Value) -> String {
         );
     }
     text += &format!(
-        "reference  {} LSB at most, {} codes at most; {} of codes off by one, {} by more; {} class flips; \
+        "reference  error at most {} LSB, code error at most {}; {} of codes off by one, {} by more; {} class flips; \
          \u{394}E00 {} (95th percentile), {} (greatest)\n",
         real("lsb_error_max", 2),
         r("code_error_max"),

@@ -164,7 +164,12 @@ fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outco
     if !said.contains(fault) {
         faults.push(format!("the receiver does not say {fault:?}: {said}"));
     }
-    println!("{}", said.lines().last().unwrap_or_default());
+    println!(
+        "{}",
+        said.lines()
+            .find(|line| line.contains(fault))
+            .unwrap_or_default()
+    );
     verdict(&faults)
 }
 
