@@ -65,71 +65,7 @@ pub fn hemisphere(
     };
 
     // The azimuths at which something changes, for one radius, ascending.
-    let breaks = |q: f64| -> Vec<f64> {
-        let mut found = vec![0.0];
-        let (mut before, mut now) = (Vec::new(), Vec::new());
-        switches(q, 0.0, &mut before);
-        for i in 1..=grid {
-            let (low, high) = (
-                span * f64::from(i - 1) / f64::from(grid),
-                span * f64::from(i) / f64::from(grid),
-            );
-            switches(q, high, &mut now);
-            let mut here = Vec::new();
-            for k in 0..before.len().max(now.len()) {
-                let known = (before.get(k), now.get(k));
-                let differs = match known {
-                    (Some(a), Some(b)) => (*a < 0.0) != (*b < 0.0),
-                    _ => false,
-                };
-                if differs {
-                    let mut scratch = Vec::new();
-                    here.push(find_root(
-                        &mut |phi| {
-                            switches(q, phi, &mut scratch);
-                            scratch.get(k).copied().unwrap_or(0.0)
-                        },
-                        low,
-                        high,
-                    ));
-                }
-            }
-            // A crease may meet the horizon inside this cell: look for it above the horizon only.
-            if before.len() != now.len()
-                && let Some(&edge) = here.first()
-            {
-                let (mut a, mut b) = if before.len() > now.len() {
-                    (low, edge)
-                } else {
-                    (edge, high)
-                };
-                let inset = 1e-9 * (b - a);
-                a += inset;
-                b -= inset;
-                let (mut at_a, mut at_b) = (Vec::new(), Vec::new());
-                switches(q, a, &mut at_a);
-                switches(q, b, &mut at_b);
-                for k in 1..at_a.len().min(at_b.len()) {
-                    if (at_a[k] < 0.0) != (at_b[k] < 0.0) {
-                        let mut scratch = Vec::new();
-                        here.push(find_root(
-                            &mut |phi| {
-                                switches(q, phi, &mut scratch);
-                                scratch.get(k).copied().unwrap_or(0.0)
-                            },
-                            a,
-                            b,
-                        ));
-                    }
-                }
-            }
-            here.sort_by(f64::total_cmp);
-            found.extend(here);
-            std::mem::swap(&mut before, &mut now);
-        }
-        found.push(span);
-        found
-    };
+    let breaks = |q: f64| -> Vec<f64> { azimuth_breaks(q, (0.0, span), grid, &switches) };
 
     let mut inner = |q: f64| -> Estimate {
         let breaks = breaks(q);
@@ -195,6 +131,108 @@ pub fn hemisphere(
     .scaled(symmetry)
 }
 
+/// The azimuths within `range` at which a switch changes its sign, with both ends.
+///
+/// A switch is looked at on a grid that reaches one cell beyond the range. Between
+/// neighbours of different sign there is a root; where its size has a least value between
+/// three of the same sign it is followed to that value, so that a sliver narrower than a
+/// cell is not lost.
+fn azimuth_breaks(
+    q: f64,
+    range: (f64, f64),
+    grid: u32,
+    switches: &dyn Fn(f64, f64, &mut Vec<f64>),
+) -> Vec<f64> {
+    let step = (range.1 - range.0) / f64::from(grid);
+    let azimuth = |i: usize| range.0 + step * (i as f64 - 1.0);
+    let all: Vec<Vec<f64>> = (0..grid as usize + 3)
+        .map(|i| {
+            let mut values = Vec::new();
+            switches(q, azimuth(i), &mut values);
+            values
+        })
+        .collect();
+    let mut found = vec![range.0, range.1];
+    let value = |k: usize, phi: f64| {
+        let mut values = Vec::new();
+        switches(q, phi, &mut values);
+        values.get(k).copied()
+    };
+    let mut root = |k: usize, a: f64, b: f64| {
+        let phi = find_root(&mut |phi| value(k, phi).unwrap_or(0.0), a, b);
+        if phi > range.0 && phi < range.1 {
+            found.push(phi);
+        }
+    };
+    for i in 1..=grid as usize {
+        let (a, b) = (azimuth(i), azimuth(i + 1));
+        let (before, now) = (&all[i], &all[i + 1]);
+        for k in 0..before.len().min(now.len()) {
+            if (before[k] < 0.0) != (now[k] < 0.0) {
+                root(k, a, b);
+            }
+        }
+        if before.len() != now.len() {
+            // The horizon is crossed: look for creases above it only.
+            let edge = find_root(&mut |phi| value(0, phi).unwrap_or(0.0), a, b);
+            let inset = 1e-9 * (b - a);
+            let (low, high) = if before.len() > now.len() {
+                (a, edge - inset)
+            } else {
+                (edge + inset, b)
+            };
+            let (mut at_low, mut at_high) = (Vec::new(), Vec::new());
+            switches(q, low, &mut at_low);
+            switches(q, high, &mut at_high);
+            for k in 1..at_low.len().min(at_high.len()) {
+                if (at_low[k] < 0.0) != (at_high[k] < 0.0) {
+                    root(k, low, high);
+                }
+            }
+        }
+    }
+    for i in 1..=grid as usize + 1 {
+        let (before, now, after) = (&all[i - 1], &all[i], &all[i + 1]);
+        for k in 0..before.len().min(now.len()).min(after.len()) {
+            let (a, b, c) = (before[k], now[k], after[k]);
+            let one_sign = (a < 0.0) == (b < 0.0) && (b < 0.0) == (c < 0.0);
+            if !one_sign || b.abs() > a.abs() || b.abs() > c.abs() {
+                continue;
+            }
+            let (low, high) = (azimuth(i - 1), azimuth(i + 1));
+            if let Some(phi) = crossing(&|phi| value(k, phi), low, high) {
+                root(k, low, phi);
+                root(k, phi, high);
+            }
+        }
+    }
+    found.sort_by(f64::total_cmp);
+    found
+}
+
+/// An azimuth at which `f` has the other sign than at both ends, by golden-section search
+/// for the least size; nothing if there is none.
+fn crossing(f: &dyn Fn(f64) -> Option<f64>, mut low: f64, mut high: f64) -> Option<f64> {
+    let negative = f(low)? < 0.0;
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    for _ in 0..40 {
+        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
+        let (fa, fb) = (f(a)?, f(b)?);
+        if (fa < 0.0) != negative {
+            return Some(a);
+        }
+        if (fb < 0.0) != negative {
+            return Some(b);
+        }
+        if fa.abs() < fb.abs() {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    None
+}
+
 /// ∫ f(V) cosΘV dω over a cell of a chart: radii and azimuths between two values, and
 /// above the horizon. `creases` as for [`hemisphere`].
 pub fn chart_cell(
@@ -221,43 +259,16 @@ pub fn chart_cell(
             .map(|t| q_of(*t)),
     );
     radial.sort_by(f64::total_cmp);
-    let above = |q: f64, phi: f64| placed.at(q, phi).above;
+    let switches = |q: f64, phi: f64, out: &mut Vec<f64>| {
+        let point = placed.at(q, phi);
+        out.clear();
+        out.push(point.above);
+        if point.above > 0.0 {
+            creases(&point.v, out);
+        }
+    };
     let mut inner = |q: f64| {
-        // In every chart the horizon is crossed at most once on either side of azimuth 0.
-        let mut breaks = vec![azimuths.0, azimuths.1];
-        for (a, b) in [
-            (azimuths.0, azimuths.1.min(0.0)),
-            (azimuths.0.max(0.0), azimuths.1),
-        ] {
-            if a < b && (above(q, a) < 0.0) != (above(q, b) < 0.0) {
-                breaks.push(find_root(&mut |phi| above(q, phi), a, b));
-            }
-        }
-        if azimuths.0 < 0.0 && azimuths.1 > 0.0 {
-            breaks.push(0.0);
-        }
-        // Creases that change sign between neighbours of a small grid.
-        let values = |phi: f64| {
-            let mut out = Vec::new();
-            creases(&placed.at(q, phi).v, &mut out);
-            out
-        };
-        let step = (azimuths.1 - azimuths.0) / 6.0;
-        let mut before = values(azimuths.0);
-        for i in 1..=6 {
-            let (a, b) = (
-                azimuths.0 + step * f64::from(i - 1),
-                azimuths.0 + step * f64::from(i),
-            );
-            let now = values(b);
-            for k in 0..now.len() {
-                if (before[k] < 0.0) != (now[k] < 0.0) {
-                    breaks.push(find_root(&mut |phi| values(phi)[k], a, b));
-                }
-            }
-            before = now;
-        }
-        breaks.sort_by(f64::total_cmp);
+        let breaks = azimuth_breaks(q, azimuths, 4, &switches);
         adaptive(
             &mut |phi| {
                 let point = placed.at(q, phi);
