@@ -8,7 +8,7 @@ use crate::arithmetic::{Arithmetic, F32, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
-use crate::table::integer::INVERSE_PI;
+use crate::table::integer::{INVERSE_PI, divide};
 
 /// f = 1/(π·min(1, R²)) where m ≤ R, else 0 (4.2, 4.7): constant inside a
 /// disc of radius R about the mirrored light direction, both projected onto
@@ -56,7 +56,7 @@ impl<const CELLS: usize> Patch<Q31<CELLS>> {
         }
         let square = bits * bits;
         let divisor = if square < 1 << 60 { square } else { 1 << 60 };
-        let peak = U32F32::from_bits((((INVERSE_PI << 60) / divisor as u128) >> 32) as u64);
+        let peak = U32F32::from_bits((divide(INVERSE_PI << 60, divisor as u128) >> 32) as u64);
         let radius_squared = if bits == 2 << 30 { u64::MAX } else { square };
         Ok(Self {
             radius_squared,

@@ -10,7 +10,7 @@ use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
 use crate::table::UniformTable;
-use crate::table::integer::{INVERSE_PI, ONE, exp_neg, times};
+use crate::table::integer::{INVERSE_PI, ONE, divide, exp_neg, times};
 
 /// f = C(s) · e^(−s·m), C(s) = s²/(2π(1 − (1+s)e^−s)) (4.45, 4.46).
 ///
@@ -76,10 +76,10 @@ const fn mixture_peak(s: u64) -> u64 {
     } else {
         let exponential = exp_neg(times(s, ONE));
         let tail = exponential + ((exponential * s as u128) >> 32);
-        ((((ONE - tail) << 32) / s as u128) << 32) / s as u128
+        divide(divide((ONE - tail) << 32, s as u128) << 32, s as u128)
     };
     // (1/π)/(2q), to 32 fraction bits.
-    ((INVERSE_PI << 31) / q) as u64
+    divide(INVERSE_PI << 31, q) as u64
 }
 
 /// (k+1)/(k+2)! with 64 fraction bits.
@@ -90,7 +90,7 @@ const fn series_coefficient(k: u32) -> u128 {
         factorial *= i as u128;
         i += 1;
     }
-    ONE * (k as u128 + 1) / factorial
+    divide(ONE * (k as u128 + 1), factorial)
 }
 
 impl<A: Arithmetic> Shape for PatchExponential<A> {

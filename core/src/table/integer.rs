@@ -27,13 +27,13 @@ pub(crate) const fn neg_ln_one_minus(x: u64) -> u128 {
         halvings += 1;
     }
     // −ln w = 2 artanh((1 − w)/(1 + w)).
-    let s = ((ONE - w) << 64) / (ONE + w);
+    let s = divide((ONE - w) << 64, ONE + w);
     let square = (s * s) >> 64;
     let mut term = s;
     let mut sum = 0;
     let mut odd = 1;
     while term != 0 {
-        sum += term / odd;
+        sum += divide(term, odd);
         term = (term * square) >> 64;
         odd += 2;
     }
@@ -53,7 +53,7 @@ pub(crate) const fn exp_neg(y: u128) -> u128 {
     let mut sum = ONE;
     let mut i = 20;
     while i > 0 {
-        sum = ONE - ((rest * sum) >> 64) / i;
+        sum = ONE - divide((rest * sum) >> 64, i);
         i -= 1;
     }
     sum >> halvings
@@ -75,6 +75,15 @@ pub(crate) const fn times(factor: u64, y: u128) -> u128 {
 /// Error at most 2⁻³³ for n ≤ 2²⁷, 2⁻⁵⁰ for n ≤ 2⁸; `table::integer::tests`.
 pub(crate) const fn power_of_one_minus(x: u64, n: u64) -> u128 {
     exp_neg(times(n, neg_ln_one_minus(x)))
+}
+
+/// a / b, and 0 for b = 0, which no caller passes: a division without a panic
+/// that the optimiser would have to disprove.
+pub(crate) const fn divide(a: u128, b: u128) -> u128 {
+    match a.checked_div(b) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
 }
 
 /// Rounds a number with 64 fraction bits to one with `bits`.

@@ -7,6 +7,7 @@ mod counts;
 mod emulated;
 mod line;
 mod oldest;
+mod probes;
 mod python;
 mod rust;
 
@@ -49,6 +50,7 @@ fn steps() -> Vec<Step> {
     let mut steps = rust::style();
     steps.extend(python::steps());
     steps.extend(rust::tests());
+    steps.extend(probes::steps());
     steps.extend(emulated::steps());
     steps.extend(bad_input::steps());
     steps.extend(rust::release());
