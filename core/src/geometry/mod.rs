@@ -26,3 +26,13 @@ pub trait Geometry<A: Arithmetic> {
     /// (4.1).
     fn separation(&self) -> A::Separation;
 }
+
+/// 1 − L·V: half the square of L − V.
+#[inline]
+fn retro_versine<A: Arithmetic>(l: &Direction<A>, v: &Direction<A>) -> A::Versine {
+    A::half(A::square([
+        A::difference(l.x, v.x),
+        A::difference(l.y, v.y),
+        A::difference(l.z, v.z),
+    ]))
+}

@@ -40,12 +40,7 @@ impl<A: Arithmetic> Geometry<A> for ShadingFrame<A> {
 
     #[inline]
     fn retro_versine(&self) -> A::Versine {
-        let (l, v) = (&self.l, &self.v);
-        A::half(A::square([
-            A::difference(l.x, v.x),
-            A::difference(l.y, v.y),
-            A::difference(l.z, v.z),
-        ]))
+        super::retro_versine(&self.l, &self.v)
     }
 
     #[inline]
