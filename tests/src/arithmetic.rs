@@ -3,7 +3,7 @@
 use fixed::types::{U32F32, U64F64};
 use microbrdf::arithmetic::{F32, Gain31, Q31};
 use microbrdf::geometry::Direction;
-use microbrdf_bits::Sampled;
+use microbrdf_bits::Raw;
 use microbrdf_reference as reference;
 use microbrdf_scene::HostArithmetic;
 
@@ -35,7 +35,7 @@ macro_rules! in_arithmetic {
 }
 
 /// An arithmetic with what tests expect of it.
-pub trait Tested: HostArithmetic + Sampled {
+pub trait Tested: HostArithmetic<Unit: Raw, Value: Raw, Radiance: Raw, Scale: Raw> {
     /// Whether it takes exponents between 0 and 1.
     const FRACTIONAL_EXPONENTS: bool;
     /// Greatest error of a component of a unit vector by rounding.
@@ -131,7 +131,7 @@ pub fn value_of<A: HostArithmetic>(direction: &Direction<A>) -> reference::Direc
 }
 
 /// Raw bits, for comparison to the last of them: -0.0 is not 0.0 here.
-pub fn bits<T: microbrdf_bits::Raw>(results: [T; 3]) -> Vec<u8> {
+pub fn bits<T: Raw>(results: [T; 3]) -> Vec<u8> {
     let mut all = Vec::new();
     for result in &results {
         result.bytes(&mut |bytes| all.extend_from_slice(bytes));

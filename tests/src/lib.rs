@@ -5,6 +5,7 @@ pub mod arithmetic;
 pub mod document;
 pub mod domain;
 pub mod error;
+pub mod frame;
 pub mod registry;
 pub mod tolerance;
 

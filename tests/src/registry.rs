@@ -2,6 +2,8 @@
 
 use microbrdf_scene::Material;
 
+use crate::domain::{Pair, Set};
+
 /// A material by its TOML, and what a set of samples needs to know of it.
 pub struct Entry {
     /// Name of the model, as in material files.
@@ -19,6 +21,19 @@ impl Entry {
     /// If the table is wrong.
     pub fn material(&self) -> Material {
         Material::from_argument(&self.toml).expect("a material of the registry")
+    }
+
+    /// `count` pairs of a set, about where this model's lobe is; τ = n·x
+    /// reaches `reach`.
+    pub fn pairs(&self, set: Set, reach: f64, count: usize) -> Vec<Pair> {
+        let mut pairs = set.pairs(self.n, reach, count);
+        if self.model == "retro-phong" {
+            // Its lobe is about L, where the others' is about R.
+            for [_, v] in &mut pairs {
+                *v = [-v[0], -v[1], v[2]];
+            }
+        }
+        pairs
     }
 }
 

@@ -39,13 +39,7 @@ fn measure<A: HostArithmetic>(found: &mut [Found], faults: &mut Vec<String>) {
             };
             found[row].used = true;
             for set in Set::ALL {
-                let mut pairs = set.pairs(entry.n, 9.0 + k.max(1.0).ln(), SAMPLES);
-                if entry.model == "retro-phong" {
-                    // Its lobe is about L, where the others' is about R.
-                    for [_, v] in &mut pairs {
-                        *v = [-v[0], -v[1], v[2]];
-                    }
-                }
+                let pairs = entry.pairs(set, 9.0 + k.max(1.0).ln(), SAMPLES);
                 let error = subject.code_error(&pairs, k);
                 found[row].lsb_max = found[row].lsb_max.max(error.lsb_max);
                 // A share of a handful of codes means nothing.
