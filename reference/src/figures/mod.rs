@@ -18,6 +18,7 @@ mod pumping;
 mod specular_models;
 
 pub use curve::curve;
+pub use exponential_patch::{density, inverse};
 pub use panel::{Axis, Kind, Panel, Series};
 
 use crate::ParameterError;
@@ -39,7 +40,7 @@ pub struct Figure {
 type Entry = (&'static str, fn() -> Result<Figure, ParameterError>);
 
 /// All figures, in the thesis' order.
-const ENTRIES: [Entry; 17] = [
+const ENTRIES: [Entry; 19] = [
     ("2.1", specular_models::albedos_of_classics),
     ("2.3", pumping::phong),
     ("2.4", pumping::blinn),
@@ -57,6 +58,8 @@ const ENTRIES: [Entry; 17] = [
     ("4.6", basic_patch::mean_albedo),
     ("4.12", exponential_patch::densities),
     ("4.13", exponential_patch::inverses),
+    ("4.14", exponential_patch::albedos),
+    ("4.15", exponential_patch::lobes),
 ];
 
 /// The numbers of the figures that [`figure`] knows, in the thesis' order.
@@ -73,4 +76,51 @@ pub fn figure(number: &str) -> Option<Result<Figure, ParameterError>> {
         .iter()
         .find(|(known, _)| *known == number)
         .map(|(_, compute)| compute())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_figure_is_computed_and_whole() {
+        for number in known() {
+            let figure = figure(number).unwrap().unwrap();
+            assert_eq!(figure.number, number);
+            // Where the thesis shows He–Torrance, its absence is said.
+            let said = figure
+                .notes
+                .concat()
+                .contains("Without the He–Torrance curve");
+            assert_eq!(said, ["2.1", "3.3", "3.4"].contains(&number), "{number}");
+            assert!(
+                !figure.title.is_empty() && !figure.notes.is_empty(),
+                "{number}"
+            );
+            assert!((1..=2).contains(&figure.panels.len()), "{number}");
+            for panel in &figure.panels {
+                assert!(panel.series.iter().any(|s| !s.name.is_empty()), "{number}");
+                for series in &panel.series {
+                    assert!(series.points.len() > 1, "{number}, {}", series.name);
+                    assert!(series.points.len() < 3000, "{number}, {}", series.name);
+                    for (x, y) in &series.points {
+                        assert!(x.is_finite() && y.is_finite(), "{number}, {}", series.name);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_list_is_that_of_the_curves_in_the_thesis() {
+        let known: Vec<_> = known().collect();
+        assert_eq!(
+            known,
+            [
+                "2.1", "2.3", "2.4", "2.5", "2.6", "2.7", "3.1", "3.2", "3.3", "3.4", "3.5", "3.6",
+                "3.7", "4.5", "4.6", "4.12", "4.13", "4.14", "4.15"
+            ]
+        );
+        assert!(figure("2.2").is_none() && figure("").is_none());
+    }
 }
