@@ -2,6 +2,7 @@
 //! measured, and the one table of tolerances.
 
 pub mod arithmetic;
+pub mod curves;
 pub mod document;
 pub mod domain;
 pub mod error;
