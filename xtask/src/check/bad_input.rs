@@ -88,7 +88,7 @@ const MISTAKES: [Mistake; 8] = [
         material: METAL,
         from: "[0.2, 0.4, 1.5]",
         to: "[0.2, 0.4]",
-        names: &["eta", "3"],
+        names: &["eta", "2", "three"],
     },
     Mistake {
         name: "image of zero width",
@@ -102,7 +102,7 @@ const MISTAKES: [Mistake; 8] = [
         material: PHONG,
         from: "[camera]",
         to: "[camera",
-        names: &["camera"],
+        names: &["]"],
     },
 ];
 
