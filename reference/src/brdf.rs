@@ -79,38 +79,46 @@ pub trait Brdf {
     }
 }
 
-impl<T: Brdf + ?Sized> Brdf for &T {
-    fn eval(&self, l: &Direction, v: &Direction) -> f64 {
-        (**self).eval(l, v)
-    }
-    fn eval_rgb(&self, l: &Direction, v: &Direction) -> [f64; 3] {
-        (**self).eval_rgb(l, v)
-    }
-    fn is_coloured(&self) -> bool {
-        (**self).is_coloured()
-    }
-    fn peak(&self) -> f64 {
-        (**self).peak()
-    }
-    fn rho(&self, l: &Direction, v: &Direction) -> [f64; 3] {
-        (**self).rho(l, v)
-    }
-    fn reflect(&self, l: &Direction, v: &Direction) -> [f64; 3] {
-        (**self).reflect(l, v)
-    }
-    fn delta_weight(&self, l: &Direction) -> [f64; 3] {
-        (**self).delta_weight(l)
-    }
-    fn chart(&self, l: &Direction) -> Chart {
-        (**self).chart(l)
-    }
-    fn creases(&self, l: &Direction, v: &Direction, out: &mut Vec<f64>) {
-        (**self).creases(l, v, out);
-    }
-    fn is_isotropic(&self) -> bool {
-        (**self).is_isotropic()
-    }
+/// A pointer to a model is that model.
+macro_rules! pointer_brdf {
+    ($pointer:ty) => {
+        impl<T: Brdf + ?Sized> Brdf for $pointer {
+            fn eval(&self, l: &Direction, v: &Direction) -> f64 {
+                (**self).eval(l, v)
+            }
+            fn eval_rgb(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+                (**self).eval_rgb(l, v)
+            }
+            fn is_coloured(&self) -> bool {
+                (**self).is_coloured()
+            }
+            fn peak(&self) -> f64 {
+                (**self).peak()
+            }
+            fn rho(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+                (**self).rho(l, v)
+            }
+            fn reflect(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+                (**self).reflect(l, v)
+            }
+            fn delta_weight(&self, l: &Direction) -> [f64; 3] {
+                (**self).delta_weight(l)
+            }
+            fn chart(&self, l: &Direction) -> Chart {
+                (**self).chart(l)
+            }
+            fn creases(&self, l: &Direction, v: &Direction, out: &mut Vec<f64>) {
+                (**self).creases(l, v, out);
+            }
+            fn is_isotropic(&self) -> bool {
+                (**self).is_isotropic()
+            }
+        }
+    };
 }
+
+pointer_brdf!(&T);
+pointer_brdf!(Box<T>);
 
 /// One channel of a coloured model, as a grey model.
 #[derive(Debug, Clone, Copy)]

@@ -73,6 +73,7 @@ pub fn over_cos_theta_min(value: f64, l: &Direction, v: &Direction, p: f64) -> f
     if below_horizon(l, v) || value == 0.0 {
         return 0.0;
     }
-    let divisor = cos_theta_min(l, v).powf(p);
+    let greatest = cos_theta_min(l, v);
+    let divisor = if p == 1.0 { greatest } else { greatest.powf(p) };
     (value / divisor).min(f64::MAX)
 }

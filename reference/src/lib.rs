@@ -15,6 +15,8 @@
 //! | [`mod@albedo`] | directional and mean albedo by quadrature |
 //! | [`quantities`] | composition, scalar product and distance of models |
 //! | [`mod@light`] | lights, reflected radiance, daylight |
+//! | [`published`] | every number that the texts print, computed again |
+//! | [`documentation`], [`measured`], [`cost`] | the table of all models, and what it holds |
 //! | [`sampling`] | importance sampling |
 //! | [`quadrature`] | adaptive integrals with an error estimate |
 //! | [`colour`] | spectra and metals to linear sRGB, encoding, CIEDE2000, gamut map |
@@ -27,7 +29,9 @@
 pub mod albedo;
 pub mod brdf;
 pub mod colour;
+pub mod cost;
 pub mod direction;
+pub mod documentation;
 pub mod error;
 pub mod figures;
 pub mod fresnel;
@@ -36,6 +40,7 @@ pub mod half;
 pub mod light;
 pub mod measured;
 pub mod models;
+pub mod published;
 pub mod quadrature;
 pub mod quantities;
 pub mod sampling;

@@ -2,18 +2,45 @@
 //! quadrature's own error estimate; and above 1 for those that are said not to.
 
 use microbrdf_reference::albedo::{directional_albedo_for, greatest_albedo};
-use microbrdf_reference::measured::measure;
+use microbrdf_reference::documentation::models_markdown_of;
+use microbrdf_reference::measured::{Measured, measure};
 use microbrdf_reference::models::registry::Claim;
 use microbrdf_reference::models::{
     ALL, LommelSeeliger, OrenNayar, OrenNayarFull, Scattering, Ward,
 };
 use microbrdf_reference::quadrature::Accuracy;
 use microbrdf_reference::{Direction, directional_albedo_at};
+use std::sync::OnceLock;
 
-fn check(part: usize) {
-    for entry in ALL.iter().skip(part).step_by(2) {
-        for example in (entry.examples)() {
-            let m = measure(example.model.as_ref());
+/// Every parameter set of every model, measured once, on two cores.
+fn all() -> &'static [Vec<Measured>] {
+    static ALL_MEASURED: OnceLock<Vec<Vec<Measured>>> = OnceLock::new();
+    ALL_MEASURED.get_or_init(|| {
+        let of = |i: usize| -> Vec<Measured> {
+            (ALL[i].examples)()
+                .iter()
+                .map(|e| measure(e.model.as_ref()))
+                .collect()
+        };
+        std::thread::scope(|scope| {
+            let odd = scope.spawn(|| (1..ALL.len()).step_by(2).map(of).collect::<Vec<_>>());
+            let mut even = (0..ALL.len())
+                .step_by(2)
+                .map(of)
+                .collect::<Vec<_>>()
+                .into_iter();
+            let mut odd = odd.join().expect("measured").into_iter();
+            (0..ALL.len())
+                .map(|i| if i % 2 == 0 { even.next() } else { odd.next() }.expect("one each"))
+                .collect()
+        })
+    })
+}
+
+#[test]
+fn claims_hold() {
+    for (entry, measured) in ALL.iter().zip(all()) {
+        for (example, m) in (entry.examples)().iter().zip(measured) {
             let what = format!("{} ({}): {m:?}", entry.name, example.parameters);
             match example.claim {
                 Claim::Conserves => {
@@ -31,15 +58,24 @@ fn check(part: usize) {
     }
 }
 
-// Two halves, for two cores.
 #[test]
-fn claims_of_the_even_entries() {
-    check(0);
-}
-
-#[test]
-fn claims_of_the_odd_entries() {
-    check(1);
+fn the_documentation_is_what_is_measured() {
+    let text = models_markdown_of(all());
+    for entry in ALL {
+        assert!(
+            text.contains(&format!("| `{}` |", entry.name)),
+            "{} is missing",
+            entry.name
+        );
+    }
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/models.md");
+    let Ok(kept) = std::fs::read_to_string(file) else {
+        panic!("docs/models.md is missing: see its first line for how it is made");
+    };
+    for (i, (new, old)) in text.lines().zip(kept.lines()).enumerate() {
+        assert_eq!(new, old, "docs/models.md, line {}: make it anew", i + 1);
+    }
+    assert_eq!(text.lines().count(), kept.lines().count());
 }
 
 #[test]

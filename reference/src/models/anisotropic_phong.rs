@@ -21,19 +21,24 @@ pub struct AnisotropicPhong {
 impl AnisotropicPhong {
     /// With C_max found numerically: takes a moment.
     pub fn new(weights: [f64; 3], exponent: f64, p: f64) -> Result<Self, ParameterError> {
+        let mut model = Self::unnormalised(weights, exponent, p)?;
+        model.constant /= greatest_albedo(&model).1.value;
+        Ok(model)
+    }
+
+    /// With Phong's constant, whatever the energy.
+    pub fn unnormalised(weights: [f64; 3], exponent: f64, p: f64) -> Result<Self, ParameterError> {
         for w in weights {
             above("weights", w, 0.0, 100.0)?;
         }
         // Scale the lobe to about 1 at the normal, so that nothing overflows.
         let greatest = weights[0].max(weights[1]).max(weights[2]);
-        let mut model = Self {
+        Ok(Self {
             weights: weights.map(|w| w / greatest),
             exponent: within("exponent", exponent, 0.0, 1e5)?,
             p: within("p", p, 0.0, 1.0)?,
             constant: super::phong::published_constant(exponent),
-        };
-        model.constant /= greatest_albedo(&model).1.value;
-        Ok(model)
+        })
     }
 
     fn lobe(&self, l: &Direction, v: &Direction) -> f64 {

@@ -79,7 +79,7 @@ pub const ALL: &[ModelEntry] = &[
         formula: "C [(Cx RxVx + Cy RyVy + Cz RzVz)⁺]ⁿ / cosᵖΘmin",
         parameters: "Cx, Cy, Cz above 0; n 0 … 1e5; p 0 … 1",
         reciprocal: true,
-        grazing: "as the p-model's for the same p",
+        grazing: "as the p-model's along the axis of the greatest weight; across it the lobe fades as the n-th power of the weights' ratio",
         examples: || {
             vec![
                 example(

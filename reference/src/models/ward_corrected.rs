@@ -25,13 +25,18 @@ impl WardCorrected {
 
     /// Anisotropic, with C_max found numerically.
     pub fn anisotropic(sigma_x: f64, sigma_y: f64) -> Result<Self, ParameterError> {
-        let mut model = Self {
+        let mut model = Self::unnormalised(sigma_x, sigma_y)?;
+        model.constant /= greatest_albedo(&model).1.value;
+        Ok(model)
+    }
+
+    /// With C = 1, which loses a little energy.
+    pub fn unnormalised(sigma_x: f64, sigma_y: f64) -> Result<Self, ParameterError> {
+        Ok(Self {
             x: within("sigma_x", sigma_x, 1e-4, 10.0)?,
             y: within("sigma_y", sigma_y, 1e-4, 10.0)?,
             constant: 1.0 / (4.0 * PI * sigma_x * sigma_y),
-        };
-        model.constant /= greatest_albedo(&model).1.value;
-        Ok(model)
+        })
     }
 
     /// C_max: the peak times 4πσxσy.

@@ -157,21 +157,44 @@ fn rule(f: &mut dyn FnMut(f64) -> Estimate, base: (f64, f64), low: f64, high: f6
     }
 }
 
-/// A root of `f` between `low` and `high`, where its signs differ, by bisection.
-pub fn find_root(f: &mut dyn FnMut(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let negative = f(low) < 0.0;
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if (f(middle) < 0.0) == negative {
-            low = middle;
+/// A root of `f` between `low` and `high`, where its signs differ (0 counts as positive).
+///
+/// Chandrupatla's method: inverse quadratic steps where they are safe, else bisection, so
+/// that a jump is found as well as a root, to two units of rounding.
+pub fn find_root(f: &mut dyn FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
+    let (mut a, mut b) = (high, low);
+    let (mut fa, mut fb) = (f(a), f(b));
+    let (mut c, mut fc);
+    let mut t = 0.5;
+    for _ in 0..200 {
+        let x = a + t * (b - a);
+        let fx = f(x);
+        if (fx < 0.0) == (fa < 0.0) {
+            (c, fc) = (a, fa);
         } else {
-            high = middle;
+            (c, fc) = (b, fb);
+            (b, fb) = (a, fa);
         }
+        (a, fa) = (x, fx);
+        let best = if fa.abs() < fb.abs() { a } else { b };
+        let limit = (2.0 * f64::EPSILON * best.abs() + 1e-300) / (b - c).abs();
+        if limit > 0.5 || fa == 0.0 {
+            return best;
+        }
+        let xi = (a - b) / (c - b);
+        let phi = (fa - fb) / (fc - fb);
+        t = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+            fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        } else {
+            0.5
+        };
+        t = if t.is_finite() {
+            t.clamp(limit, 1.0 - limit)
+        } else {
+            0.5
+        };
     }
-    0.5 * (low + high)
+    0.5 * (a + b)
 }
 
 #[cfg(test)]
@@ -208,6 +231,27 @@ mod tests {
         assert!((e.value - 0.3).abs() <= e.error + 1e-15, "{e:?}");
         let e = integrate(|x| if x < 0.3 { 1.0 } else { 0.0 }, &[0.0, 0.3, 1.0]);
         assert!((e.value - 0.3).abs() < 1e-15, "{e:?}");
+    }
+
+    #[test]
+    fn roots_and_jumps_are_found_with_few_looks() {
+        let mut looks = 0;
+        let root = find_root(
+            &mut |x| {
+                looks += 1;
+                x * x * x - 0.2
+            },
+            0.0,
+            1.0,
+        );
+        assert!(
+            (root - 0.2f64.cbrt()).abs() < 1e-15 && looks < 20,
+            "{root}, {looks} looks"
+        );
+        let jump = find_root(&mut |x| if x < 0.3 { -1.0 } else { 1.0 }, 0.0, 1.0);
+        assert!((jump - 0.3).abs() < 1e-15, "{jump}");
+        let steep = find_root(&mut |x| (x - 1e-9).cbrt(), -1.0, 1.0);
+        assert!((steep - 1e-9).abs() < 1e-20, "{steep}");
     }
 
     #[test]
