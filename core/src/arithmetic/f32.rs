@@ -68,6 +68,17 @@ impl Arithmetic for F32 {
         0.5 * square
     }
 
+    #[inline]
+    fn above_horizon(n_dot_l: f32, n_dot_v: f32) -> bool {
+        let is_cosine = |cosine: f32| (0.0..=f32::MAX).contains(&cosine);
+        is_cosine(n_dot_l) && is_cosine(n_dot_v)
+    }
+
+    #[inline]
+    fn is_number(x: f32) -> bool {
+        x <= f32::MAX
+    }
+
     /// exp(n·log1p(−x)): 1 − x is never formed, which would cost n·3e-8.
     #[inline]
     fn power(n: &f32, x: f32) -> f32 {
@@ -86,13 +97,20 @@ impl Arithmetic for F32 {
 
     #[inline]
     fn cosine_power(exponent: &f32, cosine: f32) -> f32 {
-        libm::powf(cosine, *exponent)
+        if cosine > 0.0 {
+            libm::powf(cosine, *exponent).min(1.0)
+        } else {
+            0.0
+        }
     }
 
     #[inline]
     fn ratio(n_dot_l: f32, n_dot_v: f32) -> f32 {
-        if n_dot_l >= n_dot_v {
-            if n_dot_l > 0.0 { 1.0 } else { 0.0 }
+        if n_dot_l <= 0.0 {
+            // −0 included.
+            0.0
+        } else if n_dot_l >= n_dot_v {
+            1.0
         } else {
             n_dot_l / n_dot_v
         }
@@ -100,7 +118,7 @@ impl Arithmetic for F32 {
 
     #[inline]
     fn cosine(cosine: f32) -> f32 {
-        cosine
+        if cosine > 0.0 { cosine.min(1.0) } else { 0.0 }
     }
 
     #[inline]
@@ -115,7 +133,7 @@ impl Arithmetic for F32 {
 
     #[inline]
     fn total(a: f32, b: f32) -> f32 {
-        a + b
+        (a + b).min(1.0)
     }
 
     #[inline]
@@ -135,10 +153,12 @@ impl Arithmetic for F32 {
 
     #[inline]
     fn value_over(peak: f32, share: f32, cosine: f32) -> f32 {
-        if share > 0.0 {
+        if share <= 0.0 {
+            0.0
+        } else if cosine > 0.0 {
             finite(peak * share / cosine)
         } else {
-            0.0
+            f32::MAX
         }
     }
 

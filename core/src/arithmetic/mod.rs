@@ -78,6 +78,11 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// The versine of two directions whose difference has that square.
     fn half(square: Self::Separation) -> Self::Versine;
 
+    /// Whether neither cosine is negative. In floating point it is false, too,
+    /// for what is infinite or not a number.
+    fn above_horizon(n_dot_l: Self::Component, n_dot_v: Self::Component) -> bool;
+    /// Whether the directions behind a versine were numbers.
+    fn is_number(x: Self::Versine) -> bool;
     /// cosⁿα = (1 − x)ⁿ; 0 for x ≥ 1.
     fn power(stored: &Self::Power, x: Self::Versine) -> Self::Unit;
     /// ξ(m) for m².
@@ -87,13 +92,14 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// cosΘL / max(cosΘL, cosΘV) for cosines that are not negative: exactly 1
     /// where the first is the larger; 0 where it is 0.
     fn ratio(n_dot_l: Self::Component, n_dot_v: Self::Component) -> Self::Unit;
-    /// A cosine that is not negative, as a share.
+    /// A cosine that is not negative, as a share; at most 1, whatever the
+    /// directions' lengths.
     fn cosine(cosine: Self::Component) -> Self::Unit;
     /// A curve over a cosine.
     fn curve(curve: &CosineCurve, cosine: Self::Component) -> Rgb<Self::Unit>;
     /// a · b.
     fn product(a: Self::Unit, b: Self::Unit) -> Self::Unit;
-    /// a + b.
+    /// a + b, at most 1.
     fn total(a: Self::Unit, b: Self::Unit) -> Self::Unit;
 
     /// peak · share.

@@ -122,6 +122,16 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     }
 
     #[inline]
+    fn above_horizon(n_dot_l: I2F30, n_dot_v: I2F30) -> bool {
+        n_dot_l >= I2F30::ZERO && n_dot_v >= I2F30::ZERO
+    }
+
+    #[inline]
+    fn is_number(_: u64) -> bool {
+        true
+    }
+
+    #[inline]
     fn power(table: &UniformTable<CELLS>, x: u64) -> U1F31 {
         U1F31::from_bits(table.at(x))
     }
@@ -151,8 +161,7 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
 
     #[inline]
     fn cosine(cosine: I2F30) -> U1F31 {
-        // A length within its contract takes the cosine barely past 1.
-        U1F31::from_bits((cosine.to_bits().max(0) as u32) << 1)
+        U1F31::from_bits((cosine.to_bits().clamp(0, 1 << COMPONENT_BITS) as u32) << 1)
     }
 
     #[inline]
@@ -168,7 +177,7 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
 
     #[inline]
     fn total(a: U1F31, b: U1F31) -> U1F31 {
-        a.saturating_add(b)
+        a.saturating_add(b).min(U1F31::ONE)
     }
 
     #[inline]

@@ -69,7 +69,12 @@ impl<A: Arithmetic> Shape for Lambert<A> {
     }
 
     #[inline]
-    fn shape(&self, _: &impl Geometry<A>) -> Rgb<A::Unit> {
-        self.albedo
+    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+        // The value does not depend on it, but the rule for bad input does.
+        if A::is_number(geometry.versine()) {
+            self.albedo
+        } else {
+            Rgb::grey(A::ZERO)
+        }
     }
 }

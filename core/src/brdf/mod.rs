@@ -88,7 +88,7 @@ impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
     #[inline]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        if !above_horizon::<A>(n_dot_l, n_dot_v) {
+        if !A::above_horizon(n_dot_l, n_dot_v) {
             return Rgb::grey(A::ZERO);
         }
         let shape = self.shape(geometry);
@@ -115,7 +115,7 @@ fn tinted_brdf<A: Arithmetic>(
 ) -> Rgb<A::Value> {
     let (n_dot_l, n_dot_v) = geometry.cosines();
     let peak = model.amplitude();
-    if !above_horizon::<A>(n_dot_l, n_dot_v) {
+    if !A::above_horizon(n_dot_l, n_dot_v) {
         return Rgb::grey(A::value(peak, A::ZERO));
     }
     let larger = larger::<A>(n_dot_l, n_dot_v);
@@ -124,12 +124,6 @@ fn tinted_brdf<A: Arithmetic>(
             .foreshortening()
             .value(peak, A::product(tint, shape), larger)
     })
-}
-
-/// Whether neither cosine is negative, nor anything but a number.
-#[inline]
-pub(crate) fn above_horizon<A: Arithmetic>(n_dot_l: A::Component, n_dot_v: A::Component) -> bool {
-    n_dot_l >= A::COSINE_ZERO && n_dot_v >= A::COSINE_ZERO
 }
 
 /// cosΘmin: the larger cosine belongs to the smaller angle (3.4).

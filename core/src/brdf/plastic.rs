@@ -2,7 +2,7 @@
 
 use fixed::types::{U1F31, U32F32};
 
-use super::{Brdf, Lambert, MetallicPhong, Shape, above_horizon, tinted_brdf};
+use super::{Brdf, Lambert, MetallicPhong, Shape, tinted_brdf};
 use crate::arithmetic::{Arithmetic, F32, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
@@ -156,7 +156,7 @@ impl<A: Arithmetic> Brdf<A> for Plastic<A> {
     #[inline]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        if !above_horizon::<A>(n_dot_l, n_dot_v) {
+        if !A::above_horizon(n_dot_l, n_dot_v) || !A::is_number(geometry.versine()) {
             return Rgb::grey(A::ZERO);
         }
         let cosine = A::cosine(n_dot_l);

@@ -14,27 +14,22 @@ use crate::render::{self, Frame};
 /// Sends a scene's frame as a board would, and again for each byte received.
 pub fn run(arguments: &Device) -> Outcome<()> {
     let description = Description::from_file(&arguments.scene)?;
-    let frame = render::frame(&description, arguments.arithmetic)?;
-    let device = Sender {
-        arguments,
-        description: &description,
-        frame: &frame,
-    };
+    // The line first: a receiver can connect while the frame is shaded.
     match &arguments.tcp {
         Some(address) => {
             let fault = |error: io::Error| Failure::Usage(format!("--tcp {address}: {error}"));
             let listener = TcpListener::bind(address).map_err(fault)?;
             eprintln!("listening on {}", listener.local_addr().map_err(fault)?);
+            let sender = Sender::new(arguments, &description)?;
             let (stream, _) = listener.accept().map_err(fault)?;
-            let reader = stream.try_clone().map_err(fault)?;
-            device.serve(reader, stream)
+            sender.serve(stream.try_clone().map_err(fault)?, stream)
         }
-        None => pty(&device),
+        None => pty(arguments, &description),
     }
 }
 
 #[cfg(unix)]
-fn pty(device: &Sender<'_>) -> Outcome<()> {
+fn pty(arguments: &Device, description: &Description) -> Outcome<()> {
     use std::fs::File;
 
     use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
@@ -44,26 +39,25 @@ fn pty(device: &Sender<'_>) -> Outcome<()> {
     let mut settings = tcgetattr(&pair.slave).map_err(fault)?;
     cfmakeraw(&mut settings);
     tcsetattr(&pair.slave, SetArg::TCSANOW, &settings).map_err(fault)?;
-    println!(
-        "{}",
-        nix::unistd::ttyname(&pair.slave).map_err(fault)?.display()
-    );
+    let name = nix::unistd::ttyname(&pair.slave).map_err(fault)?;
+    println!("{}", name.display());
     io::stdout()
         .flush()
         .map_err(|error| Failure::Incomplete(error.to_string()))?;
+    let sender = Sender::new(arguments, description)?;
     let writer = File::from(pair.master);
     let reader = writer
         .try_clone()
         .map_err(|error| Failure::Environment(format!("--pty: {error}")))?;
     // Our own end of the slave stays open: the line stands until it is asked
     // no more, as a board's does.
-    let outcome = device.serve(reader, writer);
+    let outcome = sender.serve(reader, writer);
     drop(pair.slave);
     outcome
 }
 
 #[cfg(not(unix))]
-fn pty(_: &Sender<'_>) -> Outcome<()> {
+fn pty(_: &Device, _: &Description) -> Outcome<()> {
     Err(Failure::Environment(
         "--pty: this system has none; use --tcp".to_owned(),
     ))
@@ -72,10 +66,20 @@ fn pty(_: &Sender<'_>) -> Outcome<()> {
 struct Sender<'a> {
     arguments: &'a Device,
     description: &'a Description,
-    frame: &'a Frame,
+    frame: Frame,
 }
 
-impl Sender<'_> {
+impl<'a> Sender<'a> {
+    /// Shades the frame.
+    fn new(arguments: &'a Device, description: &'a Description) -> Outcome<Self> {
+        let frame = render::frame(description, arguments.arithmetic)?;
+        Ok(Self {
+            arguments,
+            description,
+            frame,
+        })
+    }
+
     /// Sends the frames asked for, then one for each byte, until the receiver
     /// hangs up.
     fn serve(&self, mut reader: impl Read, mut writer: impl Write) -> Outcome<()> {
@@ -108,7 +112,7 @@ impl Sender<'_> {
             width,
             height,
             pixels,
-        } = self.frame;
+        } = &self.frame;
         let format = if self.arguments.rgb565 {
             PixelFormat::Rgb565
         } else {
