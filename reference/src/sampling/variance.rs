@@ -50,11 +50,14 @@ pub fn efficiency(
 /// A row of the table: what was sampled, how, under which light, and the result.
 pub type VarianceRow = (String, &'static str, &'static str, Efficiency);
 
+/// Radiance from each direction.
+type Radiance = Box<dyn Fn(&Direction) -> f64>;
+
 /// The ways to sample a basic patch and an exponential mixture, under uniform light and
 /// under a lamp (cos⁸ about 50° from the normal), `samples` samples each.
 pub fn variance_table(samples: u32) -> Vec<VarianceRow> {
     let lamp = Direction::from_degrees(50.0, 180.0);
-    let lights: [(&'static str, Box<dyn Fn(&Direction) -> f64>); 2] = [
+    let lights: [(&'static str, Radiance); 2] = [
         ("uniform", Box::new(|_| 1.0)),
         ("lamp", Box::new(move |l| l.dot(lamp).max(0.0).powi(8))),
     ];
