@@ -174,7 +174,7 @@ Functions*, TU Wien 2001. c_n = (n + 2)/2π; α is the angle between R and V, δ
 between H and N, m the patch metric, Θmin the smaller of the angles of L and V.\n\n\
 - **Energy**: the greatest albedo of any channel that was found at angles of incidence up to \
 89.9995° (0, 45° and 90° of azimuth for anisotropic models), and where; by quadrature, \
-error below 1e-8 except for measured tables.\n\
+relative error below 1e-6 except for measured tables (tested).\n\
 - **Grazing**: the albedo at 89.9° for the first parameters, and what happens there.\n\
 - **Cost**: instructions of one evaluation in f64, relative to reciprocal Phong's, for the \
 first parameters.\n\

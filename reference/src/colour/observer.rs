@@ -21,6 +21,8 @@ const WHITE: [f64; 2] = [0.3127, 0.3290];
 pub struct Observer {
     /// For each wavelength, its weight in red, green and blue; each channel's sum is 1.
     weights: Vec<[f64; 3]>,
+    /// For each wavelength, its weight in X, Y and Z; the sum of Y's is 1.
+    tristimulus: Vec<[f64; 3]>,
 }
 
 impl Observer {
@@ -36,15 +38,23 @@ impl Observer {
             let primaries = columns_from_chromaticities();
             let inverse = inverted(primaries);
             let light = CieIlluminant::D65.spectrum();
-            let mut weights: Vec<[f64; 3]> = (WAVELENGTHS.0..=WAVELENGTHS.1)
+            let mut tristimulus: Vec<[f64; 3]> = (WAVELENGTHS.0..=WAVELENGTHS.1)
                 .map(|nm| {
                     let cmf = Cie::Cie1931
                         .xyz_at_wavelength(nm)
                         .expect("within 380 to 780 nm")
                         .to_array();
                     let power = light.as_array()[nm - WAVELENGTHS.0];
-                    multiplied(inverse, cmf.map(|c| c * power))
+                    cmf.map(|c| c * power)
                 })
+                .collect();
+            let luminous: f64 = tristimulus.iter().map(|t| t[1]).sum();
+            for t in tristimulus.iter_mut().flatten() {
+                *t /= luminous;
+            }
+            let mut weights: Vec<[f64; 3]> = tristimulus
+                .iter()
+                .map(|t| multiplied(inverse, *t))
                 .collect();
             let mut white = [0.0; 3];
             for w in &weights {
@@ -57,22 +67,34 @@ impl Observer {
                     *part /= sum;
                 }
             }
-            Observer { weights }
+            Observer {
+                weights,
+                tristimulus,
+            }
         })
     }
 
     /// The linear sRGB colour of a surface with the given reflectance at each
     /// wavelength in nm, under the illuminant. May lie outside 0 … 1.
     pub fn colour(&self, reflectance: &dyn Fn(f64) -> f64) -> [f64; 3] {
-        let mut rgb = [0.0; 3];
-        for (i, weight) in self.weights.iter().enumerate() {
-            let r = reflectance((WAVELENGTHS.0 + i) as f64);
-            for (sum, w) in rgb.iter_mut().zip(weight) {
-                *sum += w * r;
-            }
-        }
-        rgb
+        weighted(&self.weights, reflectance)
     }
+
+    /// X, Y and Z of the same surface; Y of a perfect white is 1.
+    pub fn xyz(&self, reflectance: &dyn Fn(f64) -> f64) -> [f64; 3] {
+        weighted(&self.tristimulus, reflectance)
+    }
+}
+
+fn weighted(weights: &[[f64; 3]], reflectance: &dyn Fn(f64) -> f64) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for (i, weight) in weights.iter().enumerate() {
+        let r = reflectance((WAVELENGTHS.0 + i) as f64);
+        for (sum, w) in sums.iter_mut().zip(weight) {
+            *sum += w * r;
+        }
+    }
+    sums
 }
 
 /// The linear sRGB colour of a reflectance spectrum (wavelength in nm) under D65.
@@ -126,6 +148,16 @@ mod tests {
         for c in spectrum_to_rgb(&|_| 0.5) {
             assert!((c - 0.5).abs() < 1e-13, "{c}");
         }
+    }
+
+    #[test]
+    fn white_has_d65s_chromaticity() {
+        let [x, y, z] = Observer::standard().xyz(&|_| 1.0);
+        let sum = x + y + z;
+        // CIE 15 gives 0.31272, 0.32903.
+        let (cx, cy) = (x / sum, y / sum);
+        assert!((cx - 0.31272).abs() < 2e-5 && (cy - 0.32903).abs() < 2e-5, "{cx} {cy}");
+        assert!((y - 1.0).abs() < 1e-13);
     }
 
     #[test]
