@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::arithmetic::ArithmeticName;
+use crate::drawing::Format;
 
 /// Renders, compares and inspects what a microcontroller shades.
 ///
@@ -56,6 +57,19 @@ pub enum Command {
     /// Writes a scene as Rust source for firmware.
     #[command(after_help = "Example: microbrdf bake scenes/demo.toml --arithmetic q31 -o scene.rs")]
     Bake(Bake),
+    /// Draws curves of materials, or figures of the thesis, as SVG or PNG.
+    #[command(
+        after_help = "Materials are evaluated in double precision. Figures are computed from the \
+        models; what each leaves out or chooses is printed and stands below it.\n\n\
+        Examples:\n  \
+        microbrdf plot --material 'model = \"phong\", exponent = 20' \\\n      \
+        --material 'model = \"metallic-phong\", exponent = 20' -o albedo.svg\n  \
+        microbrdf plot --quantity lobe --incidence 0,40,80 \\\n      \
+        --material 'model = \"patch-exponential\", sharpness = 8' -o lobe.png\n  \
+        microbrdf plot --figure 3.1 -o figure.svg\n  \
+        microbrdf plot --figure all --out figures"
+    )]
+    Plot(Plot),
 }
 
 /// `render`.
@@ -188,4 +202,47 @@ pub struct Bake {
     /// Rust file to write.
     #[arg(short, long)]
     pub output: PathBuf,
+}
+
+/// What `plot` shows of materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Curve {
+    /// Directional albedo over the angle of incidence.
+    Albedo,
+    /// f in 1/sr in the plane of incidence, as a polar diagram.
+    Lobe,
+    /// f·cosΘL in the plane of incidence, over the viewing angle.
+    Radiance,
+    /// p(R), the density of a mixture of patches (patch-exponential only).
+    Density,
+    /// The inverse of its distribution function.
+    Inverse,
+}
+
+/// `plot`.
+#[derive(Debug, Args)]
+pub struct Plot {
+    /// Material: a TOML table written inline, or a file that holds one; may be given
+    /// several times.
+    #[arg(long, required_unless_present = "figure")]
+    pub material: Vec<String>,
+    /// What to show of the materials.
+    #[arg(long, value_enum, default_value = "albedo")]
+    pub quantity: Curve,
+    /// Angles of incidence of --quantity lobe and radiance in degrees, 0 to 89.99,
+    /// parted by commas [default: 45].
+    #[arg(long, value_delimiter = ',')]
+    pub incidence: Vec<f64>,
+    /// A figure of the thesis instead, such as 3.1, or all.
+    #[arg(long, conflicts_with_all = ["material", "quantity", "incidence"])]
+    pub figure: Option<String>,
+    /// File to write: .svg or .png.
+    #[arg(short, long, conflicts_with = "out")]
+    pub output: Option<PathBuf>,
+    /// Folder for --figure all: figure-2.1.svg, figure-2.1.png and so on.
+    #[arg(long, conflicts_with = "material")]
+    pub out: Option<PathBuf>,
+    /// What --figure all writes, parted by commas.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg,png")]
+    pub format: Vec<Format>,
 }

@@ -4,6 +4,7 @@ pub mod arithmetic;
 pub mod cli;
 pub mod commands;
 mod directions;
+pub mod drawing;
 pub mod energy;
 pub mod exit;
 pub mod measure;

@@ -5,7 +5,10 @@ mod bake;
 pub mod compare;
 mod device;
 mod eval;
+mod plot;
 mod render;
+
+use std::io::{self, Write as _};
 
 use clap::ValueEnum as _;
 
@@ -25,7 +28,17 @@ pub fn run(command: &Command) -> Outcome<()> {
         Command::Albedo(arguments) => albedo::run(arguments),
         Command::Device(arguments) => device::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
+        Command::Plot(arguments) => plot::run(arguments),
     }
+}
+
+/// Prints to standard output, and fails where nobody reads on.
+fn print(text: &str) -> Outcome<()> {
+    let mut output = io::stdout().lock();
+    output
+        .write_all(text.as_bytes())
+        .and_then(|()| output.flush())
+        .map_err(|error| Failure::Incomplete(format!("standard output: {error}")))
 }
 
 /// One of the core's arithmetics, or double precision.

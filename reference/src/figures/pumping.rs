@@ -21,7 +21,7 @@ pub fn phong() -> Result<Figure, ParameterError> {
         "2.3",
         "Albedo and reflected radiance of reciprocal Phong and its pumped-up versions (n = 20)",
         Phong::new(EXPONENT)?,
-        10.0,
+        6.0,
     )
 }
 
@@ -47,12 +47,15 @@ pub fn phong_controlled() -> Result<Figure, ParameterError> {
 
 /// Figure 2.6.
 pub fn blinn_controlled() -> Result<Figure, ParameterError> {
-    controlled(
+    let mut figure = controlled(
         "2.6",
         "Controlled pumping-up of reciprocal Blinn (n = 20)",
         Blinn::new(EXPONENT)?,
         1.5,
-    )
+    )?;
+    let same = "The curves of 1, 2 and 3 steps coincide to the eye.";
+    figure.notes.push(same.to_owned());
+    Ok(figure)
 }
 
 fn uncontrolled<B: Brdf + Copy + 'static>(

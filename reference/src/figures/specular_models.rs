@@ -127,7 +127,7 @@ pub fn lobes() -> Result<Figure, ParameterError> {
 
 /// A dashed line from the light to the surface.
 pub(super) fn light(incidence: f64, radius: f64) -> Series {
-    Series::new("light", 5, vec![(-incidence, radius), (-incidence, 0.0)]).dashed()
+    Series::new("light", 7, vec![(-incidence, radius), (-incidence, 0.0)]).dashed()
 }
 
 #[cfg(test)]

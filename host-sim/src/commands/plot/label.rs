@@ -1,0 +1,48 @@
+//! What a material is called in a legend.
+
+use microbrdf_reference::Energy;
+use microbrdf_scene::{Material, Reflectance};
+
+/// Model and parameters, short.
+pub fn label(material: &Material) -> String {
+    match material {
+        Material::Lambert { .. } => "Lambert".to_owned(),
+        Material::Phong {
+            exponent,
+            p,
+            retro,
+            energy,
+        } => {
+            let name = match (retro, *p) {
+                (true, _) => "retro Phong",
+                (false, 0.0) => "Phong",
+                (false, _) => "metallic Phong",
+            };
+            let usual = *p == 1.0 || (*p == 0.0 && !retro);
+            let p = if usual {
+                String::new()
+            } else {
+                format!(", p = {p}")
+            };
+            let strict = if *energy == Energy::Strict {
+                ", strict"
+            } else {
+                ""
+            };
+            format!("{name}, n = {exponent}{p}{strict}")
+        }
+        Material::Patch { radius } => format!("patch, R = {radius}"),
+        Material::PatchExponential { sharpness } => format!("exponential patch, s = {sharpness}"),
+        Material::Metal {
+            exponent,
+            reflectance,
+        } => {
+            let name = match reflectance {
+                Reflectance::Named(metal) => metal.name(),
+                Reflectance::Index { .. } => "metal",
+            };
+            format!("{name}, n = {exponent}")
+        }
+        Material::Plastic { exponent, .. } => format!("plastic, n = {exponent}"),
+    }
+}
