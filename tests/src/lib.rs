@@ -7,6 +7,7 @@ pub mod document;
 pub mod domain;
 pub mod error;
 pub mod frame;
+pub mod planted;
 pub mod registry;
 pub mod tolerance;
 

@@ -1,0 +1,298 @@
+//! Bugs that are planted to see the tests fail.
+
+/// One change of the source, and the files of tests that must notice it.
+#[derive(Clone, Copy, Debug)]
+pub struct Bug {
+    /// What is wrong.
+    pub name: &'static str,
+    /// The file, from the project's folder.
+    pub file: &'static str,
+    /// What stands there, once.
+    pub from: &'static str,
+    /// What is put in its place.
+    pub to: &'static str,
+    /// Files of `tests/tests/`, each of which has a test that fails.
+    pub tests: &'static [&'static str],
+}
+
+const fn bug(
+    name: &'static str,
+    file: &'static str,
+    from: &'static str,
+    to: &'static str,
+    tests: &'static [&'static str],
+) -> Bug {
+    Bug {
+        name,
+        file,
+        from,
+        to,
+        tests,
+    }
+}
+
+const BRDF: &str = "core/src/brdf/mod.rs";
+const F32: &str = "core/src/arithmetic/f32.rs";
+const Q31: &str = "core/src/arithmetic/q31.rs";
+const METAL: &str = "core/src/brdf/metal.rs";
+const PHONG: &str = "core/src/brdf/phong.rs";
+const FRAME: &str = "core/src/geometry/shading_frame.rs";
+const WORLD: &str = "core/src/geometry/world.rs";
+const UNIFORM: &str = "core/src/table/uniform.rs";
+const CURVE: &str = "core/src/table/cosine_curve.rs";
+
+/// All of them.
+pub const BUGS: &[Bug] = &[
+    bug(
+        "cosΘmin is the smaller cosine",
+        BRDF,
+        "if n_dot_l >= n_dot_v { n_dot_l } else { n_dot_v }",
+        "if n_dot_l >= n_dot_v { n_dot_v } else { n_dot_l }",
+        &["values"],
+    ),
+    bug(
+        "the lobe points to L, not to R",
+        PHONG,
+        "        geometry.versine()\n",
+        "        geometry.retro_versine()\n",
+        &["values"],
+    ),
+    bug(
+        "the retro lobe points to R, not to L",
+        PHONG,
+        "        geometry.retro_versine()\n",
+        "        geometry.versine()\n",
+        &["values"],
+    ),
+    bug(
+        "Fresnel's factor at the larger angle",
+        METAL,
+        "larger::<A>(n_dot_l, n_dot_v)",
+        "if n_dot_l >= n_dot_v { n_dot_v } else { n_dot_l }",
+        &["values"],
+    ),
+    bug(
+        "red and blue swapped in a Fresnel curve",
+        Q31,
+        "Rgb::from_array(curve.at(cosine.to_bits())).map(U1F31::from_bits)",
+        "{ let [r, g, b] = curve.at(cosine.to_bits()); Rgb { r: b, g, b: r } }.map(U1F31::from_bits)",
+        &["values"],
+    ),
+    bug(
+        "green and blue swapped in an albedo",
+        "core/src/brdf/lambert.rs",
+        "            self.albedo\n",
+        "            Rgb { r: self.albedo.r, g: self.albedo.b, b: self.albedo.g }\n",
+        &["values"],
+    ),
+    bug(
+        "red and blue swapped in the pixel",
+        "core/src/shade/linear.rs",
+        "            r: clamp(r),\n            g: clamp(g),\n            b: clamp(b),",
+        "            r: clamp(b),\n            g: clamp(g),\n            b: clamp(r),",
+        &["values"],
+    ),
+    bug(
+        "a table is read one cell too far",
+        UNIFORM,
+        "let cell = (position >> FRACTION_BITS) as usize;",
+        "let cell = (position >> FRACTION_BITS) as usize + 1;",
+        &["tables"],
+    ),
+    bug(
+        "a Fresnel curve is read one knot too far",
+        CURVE,
+        "let cell = cell as usize;",
+        "let cell = cell as usize + 1;",
+        &["tables"],
+    ),
+    bug(
+        "a power of a cosine is read one octave too far",
+        "core/src/table/cosine_power.rs",
+        "self.octaves.get(octave as usize)",
+        "self.octaves.get(octave as usize + 1)",
+        &["tables"],
+    ),
+    bug(
+        "x = (Lx − Vx)² + …",
+        FRAME,
+        "            A::sum(l.x, v.x),\n            A::sum(l.y, v.y),\n            A::difference",
+        "            A::difference(l.x, v.x),\n            A::sum(l.y, v.y),\n            A::difference",
+        &["values"],
+    ),
+    bug(
+        "x = … + (Lz + Vz)²",
+        FRAME,
+        "A::difference(l.z, v.z)",
+        "A::sum(l.z, v.z)",
+        &["values"],
+    ),
+    bug(
+        "the height is left out of x in world space",
+        WORLD,
+        "            A::difference(self.cosines.0, self.cosines.1),\n",
+        "",
+        &["frames"],
+    ),
+    bug(
+        "h = L + V + (N·h)N",
+        F32,
+        "(l + v) - (cosines.0 + cosines.1) * n",
+        "(l + v) + (cosines.0 + cosines.1) * n",
+        &["frames"],
+    ),
+    bug(
+        "the lobe goes on beyond a right angle",
+        F32,
+        "if x < 1.0 {",
+        "if x < 1.5 {",
+        &["corners"],
+    ),
+    bug(
+        "1 − x is formed",
+        F32,
+        "libm::expf(n * libm::log1pf(-x))",
+        "libm::powf(1.0 - x, *n)",
+        &["accuracy"],
+    ),
+    bug(
+        "e^(−n·x) for (1 − x)ⁿ",
+        F32,
+        "libm::expf(n * libm::log1pf(-x))",
+        "libm::expf(-n * x)",
+        &["values"],
+    ),
+    bug(
+        "a cosine above 1 is not clamped (q31)",
+        Q31,
+        "cosine.to_bits().clamp(0, 1 << COMPONENT_BITS)",
+        "cosine.to_bits().max(0)",
+        &["corners"],
+    ),
+    bug(
+        "a cosine above 1 is not clamped (f32)",
+        F32,
+        "if cosine > 0.0 { cosine.min(1.0) } else { 0.0 }",
+        "if cosine > 0.0 { cosine } else { 0.0 }",
+        &["corners"],
+    ),
+    bug(
+        "exposed light wraps around",
+        Q31,
+        "        if light > u64::from(u32::MAX) {\n            u32::MAX\n        } else {\n            light as u32\n        }",
+        "        light as u32",
+        &["corners"],
+    ),
+    bug(
+        "light above 1 is not clamped in the pixel",
+        "core/src/shade/linear.rs",
+        "    if component < LINEAR_ONE {\n        component\n    } else {\n        LINEAR_ONE\n    }",
+        "    component",
+        &["corners"],
+    ),
+    bug(
+        "a product of shares is rounded down",
+        Q31,
+        "(product + (1 << (UNIT_BITS - 1))) >> UNIT_BITS",
+        "product >> UNIT_BITS",
+        &["bits"],
+    ),
+    bug(
+        "a dot product is rounded down",
+        Q31,
+        "sum.wrapping_add(1 << (COMPONENT_BITS - 1)) >> COMPONENT_BITS",
+        "sum >> COMPONENT_BITS",
+        &["bits"],
+    ),
+    bug(
+        "a table's entry is rounded down",
+        "core/src/table/integer.rs",
+        "((value + (1 << (drop - 1))) >> drop) as u32",
+        "(value >> drop) as u32",
+        &["physics"],
+    ),
+    bug(
+        "an sRGB threshold is a step too high",
+        "core/src/shade/srgb.rs",
+        "round_to(linear + step / 2 - 1, LINEAR_BITS)",
+        "round_to(linear + step + step / 2, LINEAR_BITS)",
+        &["srgb"],
+    ),
+    bug(
+        "chords are not centred",
+        UNIFORM,
+        "value.saturating_sub((sag_before + sag) / 4)",
+        "value",
+        &["tables"],
+    ),
+    bug(
+        "c = (n + 1)/2π",
+        PHONG,
+        "(n + (2 << 32)) as u128",
+        "(n + (1 << 32)) as u128",
+        &["physics"],
+    ),
+    bug(
+        "C(s) without its series",
+        "core/src/brdf/patch_exponential.rs",
+        "divide(ONE * (k as u128 + 1), factorial)",
+        "divide(ONE, factorial)",
+        &["physics"],
+    ),
+    bug(
+        "a wide patch's peak goes on falling",
+        "core/src/brdf/patch.rs",
+        "let divisor = if square < 1 << 60 { square } else { 1 << 60 };",
+        "let divisor = square;",
+        &["values"],
+    ),
+    bug(
+        "R = 2 is compared",
+        "core/src/brdf/patch.rs",
+        "let radius_squared = if radius == 2.0 { f32::MAX } else { square };",
+        "let radius_squared = if radius == 2.0 { 3.9 } else { square };",
+        &["physics"],
+    ),
+    bug(
+        "the ratio upside down",
+        Q31,
+        "        } else if l >= v {",
+        "        } else if l <= v {",
+        &["values"],
+    ),
+    bug(
+        "below the horizon there is light",
+        Q31,
+        "n_dot_l >= I2F30::ZERO && n_dot_v >= I2F30::ZERO",
+        "n_dot_l >= I2F30::ZERO || n_dot_v >= I2F30::ZERO",
+        &["physics"],
+    ),
+    bug(
+        "p in place of 1 − p",
+        "core/src/brdf/foreshortening.rs",
+        "Ok(Self { rest: 1.0 - p })",
+        "Ok(Self { rest: p })",
+        &["values"],
+    ),
+    bug(
+        "L and V enter a sum differently",
+        F32,
+        "        a.x * b.x + a.y * b.y + a.z * b.z",
+        "        (b.x - 1e-7) * a.x + a.y * b.y + a.z * b.z",
+        &["physics"],
+    ),
+    bug(
+        "a sphere is seen from inside",
+        "core/src/shade/tracing_q31.rs",
+        "(nearest << (DIRECTION - NEAR)).wrapping_sub(back as i32)",
+        "(nearest << (DIRECTION - NEAR)).wrapping_add(back as i32)",
+        &["picture"],
+    ),
+    bug(
+        "rows from the bottom",
+        "core/src/shade/camera.rs",
+        "i32::from(self.height) - 1 - 2 * y",
+        "2 * y + 1 - i32::from(self.height)",
+        &["picture"],
+    ),
+];
