@@ -70,6 +70,15 @@ pub enum Command {
         microbrdf plot --figure all --out figures"
     )]
     Plot(Plot),
+    /// Computes every number that the papers print again, and prints both.
+    #[command(
+        after_help = "Columns: id, quantity, params, published, computed, verdict. Status 1 if a \
+        value is not that of the independent computation that comes with the data.\n\n\
+        Examples:\n  \
+        microbrdf tables\n  \
+        microbrdf tables --csv > tables.csv"
+    )]
+    Tables(Tables),
 }
 
 /// `render`.
@@ -245,4 +254,12 @@ pub struct Plot {
     /// What --figure all writes, parted by commas.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "svg,png")]
     pub format: Vec<Format>,
+}
+
+/// `tables`.
+#[derive(Debug, Args)]
+pub struct Tables {
+    /// Print CSV, quoted where needed, instead of aligned columns.
+    #[arg(long)]
+    pub csv: bool,
 }

@@ -7,6 +7,7 @@ mod device;
 mod eval;
 mod plot;
 mod render;
+mod tables;
 
 use std::io::{self, Write as _};
 
@@ -29,6 +30,7 @@ pub fn run(command: &Command) -> Outcome<()> {
         Command::Device(arguments) => device::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Tables(arguments) => tables::run(arguments),
     }
 }
 

@@ -21,7 +21,7 @@ pub fn draw(panel: &Panel, (width, height): (f64, f64), id: &str) -> Group {
             .add(pen::line((x, 0.0), (x, height), FAINT))
             .add(pen::text(
                 &tick.label,
-                (x, height + 17.0),
+                (x, height + 19.0),
                 SMALL,
                 Anchor::Middle,
             ));
@@ -32,7 +32,7 @@ pub fn draw(panel: &Panel, (width, height): (f64, f64), id: &str) -> Group {
             .add(pen::line((0.0, y), (width, y), FAINT))
             .add(pen::text(&tick.label, (-7.0, y + 4.0), SMALL, Anchor::End));
     }
-    let below = (0.5 * width, height + 40.0);
+    let below = (0.5 * width, height + 42.0);
     // Turned about the origin, x runs upwards.
     let beside = (-0.5 * height, -LEFT + 18.0);
     group = group
