@@ -1,6 +1,6 @@
 //! What the thesis' figures show, as curves: data, not drawings.
 //!
-//! [`figure`] computes one of [`KNOWN`]. The thesis' pictures are not copied: every
+//! [`figure`] computes one of those that are [`known`]. The thesis' pictures are not copied: every
 //! curve follows from the models here, with the parameters that captions and text
 //! give. Where they give none, the figure's notes name those chosen instead.
 //! Renderings, sketches and the editor's window (1.1 to 1.4, 2.2, 2.8, 3.8 to 3.13,
