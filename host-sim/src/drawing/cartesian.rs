@@ -61,3 +61,27 @@ pub fn draw(panel: &Panel, (width, height): (f64, f64), id: &str) -> Group {
         .add(curves)
         .add(pen::frame((0.0, 0.0), width, height).set("stroke", INK))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use microbrdf_reference::figures::{Axis, Series};
+
+    #[test]
+    fn x_runs_to_the_right_and_y_upwards() {
+        let points = vec![(2.0, 0.0), (4.0, 5.0), (6.0, 20.0)];
+        let (x, y) = (Axis::linear("x", 2.0, 6.0), Axis::linear("y", 0.0, 20.0));
+        let panel = Panel::cartesian("", x, y, vec![Series::new("s", 0, points)]);
+        let svg = draw(&panel, (200.0, 100.0), "clip7").to_string();
+        assert!(svg.contains(r#"points="0,100 100,75 200,0""#), "{svg}");
+        assert!(svg.contains(r#"clip-path="url(#clip7)""#), "{svg}");
+    }
+
+    #[test]
+    fn names_are_escaped() {
+        let axis = || Axis::linear("a < b & c", 0.0, 1.0);
+        let panel = Panel::cartesian("", axis(), axis(), Vec::new());
+        let svg = draw(&panel, (200.0, 100.0), "c").to_string();
+        assert!(svg.contains("a &lt; b &amp; c"), "{svg}");
+    }
+}

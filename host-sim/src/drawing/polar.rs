@@ -85,3 +85,33 @@ fn half_circle((x, y): (f64, f64), radius: f64) -> Path {
     ));
     Path::new().set("d", data).set("fill", "none")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use microbrdf_reference::figures::{Axis, Series};
+
+    #[test]
+    fn the_normal_is_up_and_the_mirror_side_on_the_right() {
+        let ray = |degrees| Series::new("ray", 0, vec![(degrees, 0.0), (degrees, 5.0)]);
+        let radius = Axis::linear("r", 0.0, 10.0);
+        let panel = Panel::polar("", radius, [0.0, 90.0, -90.0].map(ray).to_vec());
+        // The disc has a radius of 200 about (220, 220).
+        let svg = draw(&panel, (440.0, 220.0), "c").to_string();
+        for points in ["220,220 220,120", "220,220 320,220", "220,220 120,220"] {
+            assert!(
+                svg.contains(&format!(r#"points="{points}""#)),
+                "{points}: {svg}"
+            );
+        }
+    }
+
+    #[test]
+    fn steps_over_angles_are_arcs() {
+        let points = rounded(&[(0.0, 1.0), (10.0, 2.0), (10.0, 3.0)]);
+        assert_eq!(points.len(), 12);
+        assert_eq!(points[5], (5.0, 1.5));
+        assert_eq!(points[10..], [(10.0, 2.0), (10.0, 3.0)]);
+        assert!(rounded(&[]).is_empty());
+    }
+}
