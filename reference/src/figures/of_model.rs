@@ -5,6 +5,12 @@ use crate::albedo::directional_albedo_for;
 use crate::quadrature::Accuracy;
 use crate::{Brdf, Direction};
 
+/// A hundredth of a pixel's height in a picture.
+const ACCURACY: Accuracy = Accuracy {
+    tolerance: 1e-5,
+    ..Accuracy::COARSE
+};
+
 /// The direction in the plane of incidence at `degrees` from the normal, −90 … 90:
 /// above 0 on the side of the mirror direction, opposite the light.
 pub fn in_plane(degrees: f64) -> Direction {
@@ -18,7 +24,7 @@ pub fn in_plane(degrees: f64) -> Direction {
 pub fn albedo<B: Brdf + ?Sized>(model: &B, tolerance: f64) -> Vec<(f64, f64)> {
     curve(&[0.0, 90.0], tolerance, &mut |degrees| {
         let l = Direction::from_degrees(degrees, 0.0);
-        directional_albedo_for(model, &l, Accuracy::COARSE).value
+        directional_albedo_for(model, &l, ACCURACY).value
     })
 }
 
@@ -32,7 +38,7 @@ pub fn albedo_near_the_horizon<B: Brdf + ?Sized>(
 ) -> Vec<(f64, f64)> {
     let points = curve(&[from.log10(), to.log10()], tolerance, &mut |power| {
         let l = Direction::from_cosine(10f64.powf(power).to_radians().sin(), 0.0);
-        directional_albedo_for(model, &l, Accuracy::COARSE).value
+        directional_albedo_for(model, &l, ACCURACY).value
     });
     points
         .into_iter()
