@@ -195,21 +195,28 @@ pub const BUGS: &[Bug] = &[
         Q31,
         "(product + (1 << (UNIT_BITS - 1))) >> UNIT_BITS",
         "product >> UNIT_BITS",
-        &["bits"],
+        &["rounding"],
     ),
     bug(
         "a dot product is rounded down",
         Q31,
         "sum.wrapping_add(1 << (COMPONENT_BITS - 1)) >> COMPONENT_BITS",
         "sum >> COMPONENT_BITS",
-        &["bits"],
+        &["rounding"],
     ),
     bug(
         "a table's entry is rounded down",
         "core/src/table/integer.rs",
         "((value + (1 << (drop - 1))) >> drop) as u32",
         "(value >> drop) as u32",
-        &["physics"],
+        &["rounding"],
+    ),
+    bug(
+        "linear light is rounded down",
+        F32,
+        "(light * LINEAR_ONE as f32 + 0.5) as u32",
+        "(light * LINEAR_ONE as f32) as u32",
+        &["rounding"],
     ),
     bug(
         "an sRGB threshold is a step too high",
@@ -277,8 +284,8 @@ pub const BUGS: &[Bug] = &[
     bug(
         "L and V enter a sum differently",
         F32,
-        "        a.x * b.x + a.y * b.y + a.z * b.z",
-        "        (b.x - 1e-7) * a.x + a.y * b.y + a.z * b.z",
+        "(l + v) - (cosines.0 + cosines.1) * n",
+        "l - (cosines.0 + cosines.1) * n + v",
         &["physics"],
     ),
     bug(
