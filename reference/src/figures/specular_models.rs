@@ -152,6 +152,10 @@ mod tests {
         assert!((grazing - MetallicPhong::grazing_albedo(150.0)).abs() < 1e-6);
         // Cook–Torrance tends to 1, Ward as 0.01096/√cosΘ beyond all bounds.
         assert!((ends(near, "Cook").1 - 1.0).abs() < 1e-4);
+        // At 89.9° it is 0.99834 for m = 0.1.
+        let cook = near.series.iter().find(|s| s.name.starts_with("Cook"));
+        let at_89_9 = cook.and_then(|s| s.at(0.1)).unwrap();
+        assert!((at_89_9 - 0.998_34).abs() < 2e-4, "{at_89_9}");
         let cosine = 1e-4f64.to_radians();
         assert!((ends(near, "Ward").1 * cosine.sqrt() / 0.010_96 - 1.0).abs() < 5e-3);
         assert!(ends(near, "Ward").1 > near.y.to, "it leaves the diagram");
