@@ -43,3 +43,33 @@ pub fn rasterised(svg: &str) -> Result<Picture, String> {
             .collect(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::pen::FAMILY;
+    use super::*;
+
+    /// How many pixels are dark in a sheet of 100 x 20 units that holds a text.
+    fn dark(text: &str) -> usize {
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="20">
+            <rect width="100" height="20" fill="white"/>
+            <text x="5" y="15" font-size="12" font-family="{FAMILY}">{text}</text></svg>"#
+        );
+        let picture = rasterised(&svg).unwrap();
+        assert_eq!((picture.width, picture.height), (200, 40));
+        picture.pixels.iter().filter(|p| p[1] < 128).count()
+    }
+
+    #[test]
+    fn text_is_drawn_with_the_embedded_font() {
+        assert_eq!(dark(""), 0);
+        let (one, three) = (dark("Θ"), dark("Θ⁻¹√"));
+        assert!(one > 20 && three > one + 40, "{one} {three}");
+    }
+
+    #[test]
+    fn what_is_no_svg_is_told() {
+        assert!(rasterised("<svg").is_err());
+    }
+}

@@ -12,18 +12,33 @@ use super::{Bench, Step};
 use crate::command::{self, Machine, Runner};
 use crate::failure::{During, Failure, Outcome};
 use crate::setup::apt;
-use crate::toolchain::{distribution, oldest, oldest_words};
+use crate::toolchain::distribution::release;
 
 /// The step.
 pub fn step() -> Step {
-    super::step(format!("oldest Rust, {}", oldest_words()), run)
+    super::step(format!("oldest Rust, {}", words(promised())), run)
+}
+
+/// `rust-version` of the workspace: what core and link promise.
+fn promised() -> (u32, u32) {
+    stated(include_str!("../../../Cargo.toml")).unwrap_or((u32::MAX, 0))
+}
+
+/// The `rust-version` that a manifest states.
+fn stated(manifest: &str) -> Option<(u32, u32)> {
+    let value = |line: &str| Some(release(line.strip_prefix("rust-version = \"")?));
+    manifest.lines().find_map(value)?
+}
+
+fn words((major, minor): (u32, u32)) -> String {
+    format!("{major}.{minor}")
 }
 
 fn run(bench: &Bench<'_>) -> Outcome<Tally> {
     let Some(mut cargo) = find(bench)? else {
         println!(
             "skipped: Rust {} is neither installed in rustup nor among the distribution's packages",
-            oldest_words()
+            words(promised())
         );
         return Ok(Tally::SKIPPED);
     };
@@ -38,7 +53,7 @@ fn run(bench: &Bench<'_>) -> Outcome<Tally> {
 }
 
 fn find(bench: &Bench<'_>) -> Outcome<Option<Command>> {
-    if let Some(name) = rustup_toolchain(&Machine) {
+    if let Some(name) = rustup_toolchain(&Machine, promised()) {
         let mut cargo = Command::new("rustup");
         cargo.args(["run", &name, "cargo"]);
         // Set by the toolchain that runs this command, these would lead back to it.
@@ -55,9 +70,9 @@ fn find(bench: &Bench<'_>) -> Outcome<Option<Command>> {
 }
 
 /// An installed toolchain of that release.
-fn rustup_toolchain(runner: &dyn Runner) -> Option<String> {
+fn rustup_toolchain(runner: &dyn Runner, wanted: (u32, u32)) -> Option<String> {
     let list = runner.capture(&["rustup", "toolchain", "list"])?;
-    let wanted = oldest_words();
+    let wanted = words(wanted);
     list.stdout
         .lines()
         .filter_map(|line| line.split_whitespace().next())
@@ -98,7 +113,7 @@ fn unpacked(root: &Path) -> Command {
 /// Fetches the distribution's packages of that release, with what they need and this machine lacks, and unpacks them.
 /// False where the distribution has none.
 fn unpack(runner: &dyn Runner, root: &Path) -> Outcome<bool> {
-    let Some(version) = packaged(runner) else {
+    let Some(version) = packaged(runner, promised()) else {
         return Ok(false);
     };
     let wanted: Vec<String> = ["rustc-web", "cargo-web", "libstd-rust-web-dev"]
@@ -151,7 +166,7 @@ fn unpack(runner: &dyn Runner, root: &Path) -> Outcome<bool> {
 }
 
 /// The version of the package that holds that release.
-fn packaged(runner: &dyn Runner) -> Option<String> {
+fn packaged(runner: &dyn Runner, wanted: (u32, u32)) -> Option<String> {
     if !runner.has("apt-get") || !runner.has("dpkg-deb") {
         return None;
     }
@@ -160,7 +175,7 @@ fn packaged(runner: &dyn Runner) -> Option<String> {
         .stdout
         .lines()
         .filter_map(|line| line.split('|').nth(1).map(str::trim))
-        .find(|version| distribution::release(version) == Some(oldest()))
+        .find(|version| release(version) == Some(wanted))
         .map(str::to_string)
 }
 
@@ -194,14 +209,29 @@ mod tests {
             " rustc-web | 1.96.0+dfsg1-1~deb12u2 | http://example.org stable-security/main\n \
              rustc-web | 1.85.0+dfsg3-1~deb12u3 | http://example.org stable/main\n",
         );
-        assert_eq!(packaged(&both).as_deref(), Some("1.85.0+dfsg3-1~deb12u3"));
-        assert_eq!(packaged(&packages(" rustc-web | 1.96.0+dfsg1 | x\n")), None);
-        assert_eq!(packaged(&packages("")), None);
+        assert_eq!(
+            packaged(&both, (1, 85)).as_deref(),
+            Some("1.85.0+dfsg3-1~deb12u3")
+        );
+        let newer = packages(" rustc-web | 1.96.0+dfsg1 | x\n");
+        assert_eq!(packaged(&newer, (1, 85)), None);
+        assert_eq!(packaged(&packages(""), (1, 85)), None);
+    }
+
+    #[test]
+    fn the_workspace_states_a_version() {
+        let manifest = "[package]\nname = \"rust-version\"\nrust-version = \"1.85\"\n";
+        assert_eq!(stated(manifest), Some((1, 85)));
+        assert_eq!(stated("[workspace]\n"), None);
+        assert_ne!(promised().0, u32::MAX);
     }
 
     #[test]
     fn toolchains_of_rustup() {
-        let name = |list| rustup_toolchain(&Script::default().says("rustup toolchain list", list));
+        let name = |list| {
+            let script = Script::default().says("rustup toolchain list", list);
+            rustup_toolchain(&script, (1, 85))
+        };
         assert_eq!(
             name("stable-x86_64 (active)\n1.85.1-x86_64\n"),
             Some("1.85.1-x86_64".into())

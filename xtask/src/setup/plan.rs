@@ -175,7 +175,7 @@ mod tests {
             )
             .says(
                 "apt-cache policy rustc",
-                "rustc:\n  Candidate: 1.90.0+dfsg1-1\n",
+                "rustc:\n  Candidate: 1.100.0+dfsg1-1\n",
             );
         assert_eq!(plan.choose_family(&script).packages[0], "rustc");
         assert_eq!(plan.too_old, None);
@@ -187,11 +187,11 @@ mod tests {
         let script = Script::default()
             .says(
                 "apt-cache policy rustc-web",
-                "r:\n  Installed: (none)\n  Candidate: 1.96.0\n",
+                "r:\n  Installed: (none)\n  Candidate: 1.100.0\n",
             )
             .says(
                 "apt-cache policy rustc",
-                "r:\n  Installed: 1.90.0\n  Candidate: 1.90.0\n",
+                "r:\n  Installed: 1.99.0\n  Candidate: 1.99.0\n",
             );
         assert_eq!(plan.choose_family(&script).packages[0], "rustc");
     }

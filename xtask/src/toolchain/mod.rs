@@ -17,9 +17,9 @@ use crate::command::Runner;
 use crate::failure::{Failure, Outcome};
 use crate::layout::Layout;
 
-/// Oldest compiler that builds the project, major and minor number: `rust-version` of the workspace.
+/// Oldest compiler that builds the firmware and the tools, major and minor number: `rust-version` of this crate.
 pub fn oldest() -> (u32, u32) {
-    distribution::release(env!("CARGO_PKG_RUST_VERSION")).unwrap_or((1, 85))
+    distribution::release(env!("CARGO_PKG_RUST_VERSION")).unwrap_or((u32::MAX, 0))
 }
 
 /// The same, as one writes it.
