@@ -2,7 +2,8 @@
 
 use crate::measured::{Measured, measure};
 use crate::models::ALL;
-use crate::models::registry::{Claim, NAMED_ONLY};
+use crate::models::entry::Claim;
+use crate::models::registry::NAMED_ONLY;
 use crate::sampling::variance_table;
 use std::fmt::Write as _;
 

@@ -4,7 +4,7 @@
 use microbrdf_reference::albedo::{directional_albedo_for, greatest_albedo};
 use microbrdf_reference::documentation::models_markdown_of;
 use microbrdf_reference::measured::{Measured, measure};
-use microbrdf_reference::models::registry::Claim;
+use microbrdf_reference::models::entry::Claim;
 use microbrdf_reference::models::{
     ALL, LommelSeeliger, OrenNayar, OrenNayarFull, Scattering, Ward,
 };

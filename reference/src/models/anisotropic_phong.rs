@@ -3,6 +3,8 @@
 use crate::albedo::greatest_albedo;
 use crate::error::{above, within};
 use crate::geometry::{below_horizon, bounded_ratio, over_cos_theta_min};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 
@@ -81,6 +83,31 @@ impl Brdf for AnisotropicPhong {
         self.weights[0] == self.weights[1]
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "anisotropic_phong",
+    source: "(3.14), (3.15)",
+    formula: "C [(Cx RxVx + Cy RyVy + Cz RzVz)⁺]ⁿ / cosᵖΘmin",
+    parameters: "Cx, Cy, Cz above 0; n 0 … 1e5; p 0 … 1",
+    reciprocal: true,
+    grazing: "as the p-model's along the axis of the greatest weight; across it the lobe fades as the n-th power of the weights' ratio",
+    examples: || {
+        vec![
+            example(
+                "(0.8, 1, 1), n = 20, p = 1",
+                AnisotropicPhong::new([0.8, 1.0, 1.0], 20.0, 1.0).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "(1, 0.5, 0.9), n = 6, p = 0.5",
+                AnisotropicPhong::new([1.0, 0.5, 0.9], 6.0, 0.5).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,8 @@
 
 use super::AnisotropicPhong;
 use crate::error::within;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 
@@ -58,6 +60,26 @@ impl Brdf for AnisotropicSum {
         self.terms.iter().all(|(_, f)| f.is_isotropic())
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "anisotropic_sum",
+    source: "(3.16)",
+    formula: "Σ wᵢ fᵢ of anisotropic Phong lobes",
+    parameters: "weights wᵢ 0 … 1 with a sum of at most 1",
+    reciprocal: true,
+    grazing: "the sum of its lobes'",
+    examples: || {
+        let wide = AnisotropicPhong::new([1.0; 3], 4.0, 1.0).expect("in range");
+        let narrow = AnisotropicPhong::new([0.9, 1.0, 1.0], 40.0, 1.0).expect("in range");
+        vec![example(
+            "0.4 × (1, 1, 1), n = 4 and 0.6 × (0.9, 1, 1), n = 40, p = 1",
+            AnisotropicSum::new(&[(0.4, wide), (0.6, narrow)]).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

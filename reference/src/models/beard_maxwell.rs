@@ -11,6 +11,8 @@ use crate::error::{above, within};
 use crate::fresnel::Index;
 use crate::geometry::below_horizon;
 use crate::half::Half;
+use crate::models::entry::Claim::Exceeds;
+use crate::models::entry::{ModelEntry, example, index};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
@@ -101,6 +103,25 @@ impl Brdf for BeardMaxwell {
         Chart::new(ChartKind::Half, 0.3)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "beard_maxwell",
+    source: "(1.55), first-surface term from Maxwell et al. 1973, Westlund and Meyer 2002",
+    formula: "ρ_D/π + F(β)/F(0) f_ZBS(δ) cos²δ/(NL·NV) · shadowing + 2ρ_V/(NL + NV)",
+    parameters: "ρ_D, ρ_V 0 … 1; index; τ, Ω above 0; measured f_ZBS(δ)",
+    reciprocal: true,
+    grazing: "unbounded: f_ZBS/(NL·NV), and ρ_V/(NL + NV)",
+    examples: || {
+        vec![example(
+            "ρ_D = 0.1, ρ_V = 0.05, glass, τ = 0.3, Ω = 0.5, f_ZBS = 0.3 to 0",
+            BeardMaxwell::new(0.1, 0.05, index(1.5, 0.0), 0.3, 0.5, &[0.3, 0.1, 0.02, 0.0])
+                .expect("in range"),
+            Exceeds,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,8 @@
 use crate::albedo::greatest_albedo;
 use crate::error::within;
 use crate::geometry::{below_horizon, power_lobe, versine};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 
@@ -97,6 +99,31 @@ impl Brdf for BisectorPhong {
         }
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "bisector_phong",
+    source: "(5.15) to (5.17)",
+    formula: "C cosⁿα / cosΘ_H with a bisector H of R and V",
+    parameters: "n 0 … 1e5; power mean p above 0, maximum, or spherical",
+    reciprocal: true,
+    grazing: "radiance bounded; power means with p at or below 0 are refused: unbounded albedo",
+    examples: || {
+        vec![
+            example(
+                "n = 20, spherical",
+                BisectorPhong::new(20.0, Bisector::Spherical).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "n = 20, arithmetic mean",
+                BisectorPhong::new(20.0, Bisector::PowerMean(1.0)).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

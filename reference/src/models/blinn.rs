@@ -4,6 +4,8 @@ use crate::error::within;
 use crate::geometry::below_horizon;
 use crate::half::Half;
 use crate::models::EXPONENT_MAX;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
@@ -64,6 +66,24 @@ impl Brdf for Blinn {
         half_chart(self.exponent)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "blinn",
+    source: "(1.34), (3.33), constant in closed form",
+    formula: "C_n (N·H)ⁿ, C_n = (n + 2)(n + 4)/(8π(n + 2^(−n/2)))",
+    parameters: "n 0 … 1e8",
+    reciprocal: true,
+    grazing: "albedo falls to 1/(n + 2^(−n/2)), radiance to 0",
+    examples: || {
+        vec![example(
+            "n = 20",
+            Blinn::new(20.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

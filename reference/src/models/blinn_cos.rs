@@ -6,6 +6,8 @@ use crate::geometry::{below_horizon, bounded_ratio, over_cos_theta_min};
 use crate::half::Half;
 use crate::models::EXPONENT_MAX;
 use crate::models::blinn::half_chart;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 
@@ -68,6 +70,23 @@ impl Brdf for BlinnCos {
         out.push(l.z - v.z);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "blinn_cos",
+    source: "(3.34)",
+    formula: "C_n (N·H)ⁿ / max(NL, NV)",
+    parameters: "n 0 … 1e8",
+    reciprocal: true,
+    grazing: "radiance bounded by C_n; albedo still falls, N·H lobes are too wide there",
+    examples: || {
+        vec![
+            example("n = 20", BlinnCos::new(20.0).expect("in range"), Conserves),
+            example("n = 2", BlinnCos::new(2.0).expect("in range"), Conserves),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

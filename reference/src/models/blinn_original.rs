@@ -5,6 +5,8 @@ use crate::geometry::below_horizon;
 use crate::half::Half;
 use crate::models::EXPONENT_MAX;
 use crate::models::blinn::{greatest_constant, half_chart};
+use crate::models::entry::Claim::Exceeds;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 
@@ -47,6 +49,24 @@ impl Brdf for BlinnOriginal {
         half_chart(self.exponent)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "blinn_original",
+    source: "(2.5)",
+    formula: "C_n (N·H)ⁿ / cosΘL",
+    parameters: "n 0 … 1e8",
+    reciprocal: false,
+    grazing: "albedo unbounded",
+    examples: || {
+        vec![example(
+            "n = 20",
+            BlinnOriginal::new(20.0).expect("in range"),
+            Exceeds,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 
 use super::microfacet::{Attenuation, Distribution, Facet, Microfacet, microfacet_brdf};
 use crate::ParameterError;
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 
 /// Cook–Torrance. With the V-cavity term and F = 1 the albedo is at most 1 for every width.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +31,66 @@ impl CookTorrance {
 }
 
 microfacet_brdf!(CookTorrance);
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "cook_torrance",
+    source: "(1.35) to (1.38), (2.9), (2.10)",
+    formula: "D G F/(4 NL·NV)",
+    parameters: "Beckmann m, Gaussian s, Trowbridge q or Blinn t; V-cavity, He–Torrance's or Smith's G; F",
+    reciprocal: true,
+    grazing: "with V-cavities the albedo tends to 1 and f stays at most D/(2 LH max(NL, NV)); without G it is unbounded",
+    examples: || {
+        let gaussian = Distribution::gaussian(5.0).expect("in range");
+        let trowbridge = Distribution::trowbridge(0.3).expect("in range");
+        let blinn = Distribution::blinn(30.0).expect("in range");
+        let beckmann = Distribution::beckmann(0.3).expect("in range");
+        let new = |d, a| CookTorrance::new(d, a, Facet::White).expect("they fit");
+        vec![
+            example(
+                "Beckmann m = 0.3, V-cavity",
+                new(beckmann, Attenuation::VCavity),
+                Conserves,
+            ),
+            example(
+                "Beckmann m = 0.1, V-cavity",
+                CookTorrance::beckmann(0.1).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "Gaussian s = 5, V-cavity",
+                new(gaussian, Attenuation::VCavity),
+                Conserves,
+            ),
+            example(
+                "Trowbridge q = 0.3, V-cavity",
+                new(trowbridge, Attenuation::VCavity),
+                Conserves,
+            ),
+            example(
+                "Blinn t = 30, V-cavity",
+                new(blinn, Attenuation::VCavity),
+                Conserves,
+            ),
+            example(
+                "Beckmann m = 0.3, Smith",
+                new(beckmann, Attenuation::Smith),
+                Conserves,
+            ),
+            example(
+                "Beckmann m = 0.3, He–Torrance",
+                new(beckmann, Attenuation::HeTorrance),
+                Conserves,
+            ),
+            example(
+                "Beckmann m = 0.3, G = 1",
+                new(beckmann, Attenuation::None),
+                Exceeds,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

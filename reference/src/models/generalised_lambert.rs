@@ -3,7 +3,10 @@
 use crate::albedo::directional_albedo;
 use crate::error::{above, within};
 use crate::geometry::{below_horizon, retro_metric_squared};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::Cosine;
 use crate::{Brdf, Direction, ParameterError};
 
 /// Smoothness d (0 … 1; 0 is Lambert, 1 the "full moon") with ξ constant above m = `clip`.
@@ -63,6 +66,34 @@ impl Brdf for GeneralisedLambert {
         Chart::new(ChartKind::Plane, 1.0).with_edges(&[self.clip])
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "generalised_lambert",
+    source: "(4.58), (4.59)",
+    formula: "C min((1 − m²/4)^(−d/2), ξ_max)",
+    parameters: "d 0 … 1; clip above 0 and below 2",
+    reciprocal: true,
+    grazing: "albedo greatest, 1, at the horizon",
+    examples: || {
+        vec![
+            example(
+                "d = 1, clip 1.9",
+                GeneralisedLambert::new(1.0, 1.9).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "d = 0.3, clip 1.9",
+                GeneralisedLambert::new(0.3, 1.9).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: Some(|v, visit| {
+        let m = GeneralisedLambert::new(1.0, 1.9).expect("in range");
+        visit(&m, &Cosine::new(&m, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

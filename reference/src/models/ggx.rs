@@ -3,6 +3,8 @@
 
 use super::microfacet::{Attenuation, Distribution, Facet, Microfacet, microfacet_brdf};
 use crate::ParameterError;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example, gold};
 
 /// GGX with roughness α (1e-4 … 1; the distribution's q) and separable Smith masking.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +19,31 @@ impl Ggx {
 }
 
 microfacet_brdf!(Ggx);
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "ggx",
+    source: "Walter et al. 2007; not in the thesis",
+    formula: "D G1(L) G1(V) F/(4 NL·NV), D = α²/(π((α² − 1)cos²δ + 1)²)",
+    parameters: "α 1e-4 … 1; F",
+    reciprocal: true,
+    grazing: "loses what is scattered more than once",
+    examples: || {
+        vec![
+            example(
+                "α = 0.3",
+                Ggx::new(0.3, Facet::White).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "α = 0.05, gold",
+                Ggx::new(0.05, Facet::Coloured(gold())).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -6,6 +6,9 @@ use crate::error::channels_within;
 use crate::fresnel::Index;
 use crate::geometry::below_horizon;
 use crate::half::Half;
+use crate::models::Lambert;
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example, index};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 
@@ -92,6 +95,37 @@ impl<B: Brdf> Brdf for Lacquer<B> {
         self.base.is_isotropic()
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "lacquer",
+    source: "(1.60), (1.61)",
+    formula: "F mirror + (1 − F(angle(L, H))) e^(−s(1/NL + 1/NV)) f_base",
+    parameters: "absorbance s at least 0; index of the surface, or none; any base",
+    reciprocal: true,
+    grazing: "absorption takes the base to 0; thin absorbance under a reflecting surface exceeds 1",
+    examples: || {
+        let base = Lambert::grey(1.0).expect("in range");
+        vec![
+            example(
+                "s = 0.3 over white, no surface",
+                Lacquer::new(base, [0.3; 3], None).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "s = 0.3 over white, glass",
+                Lacquer::new(base, [0.3; 3], Some(index(1.5, 0.0))).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "s = 0.01 over white, glass",
+                Lacquer::new(base, [0.01; 3], Some(index(1.5, 0.0))).expect("in range"),
+                Exceeds,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

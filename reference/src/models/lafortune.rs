@@ -3,6 +3,8 @@
 use crate::error::within;
 use crate::geometry::below_horizon;
 use crate::models::EXPONENT_MAX;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
@@ -94,6 +96,38 @@ impl Brdf for Lafortune {
         self.lobes.iter().all(|l| l.weights[0] == l.weights[1])
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "lafortune",
+    source: "(1.66), slides",
+    formula: "ρ/π + Σ ((Cx LxVx + Cy LyVy + Cz LzVz)⁺)ⁿ",
+    parameters: "ρ 0 … 1; Cx, Cy, Cz, n 0 … 1e8 of each lobe: energy is in the constants",
+    reciprocal: true,
+    grazing: "f bounded: radiance falls to 0",
+    examples: || {
+        vec![
+            example(
+                "one Phong lobe, n = 20",
+                Lafortune::phong(20.0).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "(−1.02, −1.02, 0.8), n = 12: off-specular",
+                Lafortune::new(
+                    0.0,
+                    &[LafortuneLobe {
+                        weights: [-1.02, -1.02, 0.8],
+                        exponent: 12.0,
+                    }],
+                )
+                .expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

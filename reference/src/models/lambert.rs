@@ -2,6 +2,9 @@
 
 use crate::error::channels_within;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
+use crate::sampling::Cosine;
 use crate::{Brdf, Direction, ParameterError, brdf::luminance};
 use std::f64::consts::FRAC_1_PI;
 
@@ -61,6 +64,27 @@ impl Brdf for Lambert {
         self.albedo.map(|a| a * l.z)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "lambert",
+    source: "(1.27), (1.28)",
+    formula: "a/π",
+    parameters: "a 0 … 1",
+    reciprocal: true,
+    grazing: "albedo constant",
+    examples: || {
+        vec![example(
+            "a = 1",
+            Lambert::grey(1.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = Lambert::new([0.9, 0.5, 0.2]).expect("in range");
+        visit(&m, &Cosine::new(&m, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

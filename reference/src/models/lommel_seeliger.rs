@@ -6,6 +6,8 @@
 
 use crate::error::within;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
@@ -94,6 +96,31 @@ impl Brdf for LommelSeeliger {
         }
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "lommel_seeliger",
+    source: "(1.52) to (1.54), Hapke 1963",
+    formula: "ρ/π · B(γ) S(γ)/(NL + NV)",
+    parameters: "ρ 0 … 1; compactness 0 … 10; isotropic, forward or backward S",
+    reciprocal: true,
+    grazing: "f unbounded; the albedo tends to 2 for ρ = S = B = 1",
+    examples: || {
+        vec![
+            example(
+                "ρ = 1, S = B = 1",
+                LommelSeeliger::new(1.0, 0.0, Scattering::Isotropic).expect("in range"),
+                Exceeds,
+            ),
+            example(
+                "ρ = 1, h = 0.4, backward",
+                LommelSeeliger::new(1.0, 0.4, Scattering::Backward).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

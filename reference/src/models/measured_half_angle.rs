@@ -6,6 +6,9 @@
 //! multiplied by 1/1500, 1.15/1500 and 1.66/1500. The index runs over √θh, θd and φd.
 
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
+use crate::models::{Blinn, Mixed};
 use crate::{Brdf, Direction, ParameterError, brdf::luminance};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -191,6 +194,26 @@ impl Brdf for MeasuredHalfAngle {
         false
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "measured_half_angle",
+    source: "slides; Matusik et al. 2003, BRDFRead",
+    formula: "table over √θh, θd, φd",
+    parameters: "a file in the MERL layout",
+    reciprocal: true,
+    grazing: "as measured",
+    examples: || {
+        let blinn = Blinn::new(10.0).expect("in range");
+        let blinn = Mixed::new(vec![(0.9, Box::new(blinn))]).expect("in range");
+        vec![example(
+            "a table of 0.9 × Blinn, n = 10, 30 × 10 × 4",
+            MeasuredHalfAngle::tabulate(&blinn, [30, 10, 4]).expect("a small table"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,9 @@
 //! Measured data as irregular isotropic samples (Chuang's slides, after pbrt).
 
 use crate::geometry::below_horizon;
+use crate::models::Phong;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::{Brdf, Direction, ParameterError, brdf::luminance};
 use std::f64::consts::PI;
 
@@ -91,6 +94,39 @@ impl Brdf for MeasuredIrregular {
         true
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "measured_irregular",
+    source: "slides, after pbrt",
+    formula: "samples weighted by e^(−100d²) in (sinΘL sinΘV, Δφ/π, cosΘL cosΘV)",
+    parameters: "samples (L, V, f)",
+    reciprocal: true,
+    grazing: "as measured",
+    examples: || {
+        let phong = Phong::new(3.0).expect("in range");
+        let mut samples = Vec::new();
+        for i in 0..5 {
+            for j in 0..5 {
+                for k in 0..4 {
+                    let l = Direction::from_degrees(f64::from(i) * 20.0, 0.0);
+                    let v = Direction::from_degrees(f64::from(j) * 20.0, f64::from(k) * 60.0);
+                    samples.push(Sample {
+                        l,
+                        v,
+                        f: [0.6 * phong.eval(&l, &v); 3],
+                    });
+                }
+            }
+        }
+        vec![example(
+            "100 samples of 0.6 × Phong, n = 3",
+            MeasuredIrregular::new(&samples).expect("samples"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

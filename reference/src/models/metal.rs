@@ -5,8 +5,11 @@ use crate::brdf::luminance;
 use crate::colour::{FresnelCurve, MetalName};
 use crate::fresnel::Index;
 use crate::geometry::{below_horizon, cos_theta_min};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::models::{Energy, PModel};
 use crate::quadrature::Chart;
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 
 /// A metal: metallic Phong, coloured by the Fresnel reflectance at Θmin.
@@ -92,6 +95,34 @@ impl Brdf for Metal {
         self.shape.creases(l, v, out);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "metal",
+    source: "(3.29)",
+    formula: "c_n cosⁿα F(Θmin)/cosΘmin = cosⁿα/g(Θmin)",
+    parameters: "n 0 … 1e8; a metal's name, or η and k of each channel",
+    reciprocal: true,
+    grazing: "as metallic Phong; the colour fades to white",
+    examples: || {
+        vec![
+            example(
+                "gold (spectrum), n = 20",
+                Metal::named(20.0, MetalName::Gold).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "η = 1.5, 0.9, 0.2, k = 1.8, 2.4, 3.5, n = 500",
+                Metal::from_indices(500.0, [1.5, 0.9, 0.2], [1.8, 2.4, 3.5]).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: Some(|v, visit| {
+        let m = Metal::named(80.0, MetalName::Copper).expect("in range");
+        visit(&m, &PhongLobe::new(&m, 80.0, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,8 +4,11 @@
 use crate::brdf::luminance;
 use crate::fresnel::Index;
 use crate::half::Half;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example, gold};
 use crate::models::{Energy, PModel};
 use crate::quadrature::Chart;
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 
 /// As [`super::Metal`], but F is taken between L and H rather than at Θmin: the two agree
@@ -66,6 +69,27 @@ impl Brdf for MetalHalf {
         self.shape.creases(l, v, out);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "metal_half",
+    source: "(3.28)",
+    formula: "c_n cosⁿα F(angle(L, H))/cosΘmin",
+    parameters: "n 0 … 1e8; one index for each channel",
+    reciprocal: true,
+    grazing: "as metallic Phong; colour of the half vector's angle",
+    examples: || {
+        vec![example(
+            "gold's indices, n = 20",
+            MetalHalf::new(20.0, gold()).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = MetalHalf::new(20.0, gold()).expect("in range");
+        visit(&m, &PhongLobe::new(&m, 20.0, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

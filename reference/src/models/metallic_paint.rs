@@ -3,7 +3,10 @@
 use super::patch_exponential::PatchExponential;
 use crate::brdf::luminance;
 use crate::fresnel::Index;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example, gold};
 use crate::quadrature::Chart;
+use crate::sampling::{Mixture, MixtureMethod, Weighted};
 use crate::{Brdf, Direction, ParameterError};
 
 /// cosθ' with sinθ' = |L_P − V_P|/2 (4.53), by |h_P|²/4 + (NL² + NV²)/2: no cancellation.
@@ -63,6 +66,29 @@ impl Brdf for MetallicPaint {
         self.shape.chart(l)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "metallic_paint",
+    source: "(4.51) to (4.54)",
+    formula: "C e^(−s·m) F(θ'), sinθ' = |L_P − V_P|/2",
+    parameters: "s 0 … 1e8; one index for each channel",
+    reciprocal: true,
+    grazing: "f bounded; albedo at least half of F's",
+    examples: || {
+        vec![example(
+            "gold's indices, s = 12",
+            MetallicPaint::new(12.0, gold()).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = MetallicPaint::new(12.0, gold()).expect("in range");
+        let shape = PatchExponential::new(12.0).expect("in range");
+        let directions = Box::new(Mixture::new(shape, v, MixtureMethod::Redraw));
+        visit(&m, &Weighted::new(&m, v, directions));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,8 +1,11 @@
 //! Metallic Phong, f = c_n cosⁿα / cosΘmin (3.7, 3.10), the thesis' model for metals.
 
 use crate::geometry::{below_horizon, power_lobe, versine};
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 use crate::models::{Energy, PModel};
 use crate::quadrature::Chart;
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 
 /// Metallic Phong with exponent n, 0 … 1e8: the p-model at p = 1.
@@ -72,6 +75,30 @@ impl Brdf for MetallicPhong {
         self.0.creases(l, v, out);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "metallic_phong",
+    source: "(3.7), (3.10)",
+    formula: "c_n cosⁿα/cosΘmin, c_n = (n + 2)/2π",
+    parameters: "n 0 … 1e8; published or strict energy",
+    reciprocal: true,
+    grazing: "radiance of the mirror image constant; albedo (n + 2)/(2n + 2) at 90°",
+    examples: || {
+        let new = |n, energy| MetallicPhong::new(n, energy).expect("in range");
+        vec![
+            example("n = 20", new(20.0, Energy::Published), Conserves),
+            example("n = 1e8", new(1e8, Energy::Published), Conserves),
+            example("n = 1, published", new(1.0, Energy::Published), Exceeds),
+            example("n = 0.5, published", new(0.5, Energy::Published), Exceeds),
+            example("n = 0.5, strict", new(0.5, Energy::Strict), Conserves),
+        ]
+    },
+    sampler: Some(|v, visit| {
+        let m = MetallicPhong::new(20.0, Energy::Published).expect("in range");
+        visit(&m, &PhongLobe::new(&m, 20.0, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,8 @@
 
 use crate::error::within;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::TAU;
 
@@ -37,6 +39,24 @@ impl Brdf for Minnaert {
         self.constant
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "minnaert",
+    source: "(1.31), (1.32)",
+    formula: "(k + 2)/2π (NL·NV)ᵏ",
+    parameters: "k 0 … 100",
+    reciprocal: true,
+    grazing: "albedo cosᵏΘ; negative k is refused, its albedo is unbounded",
+    examples: || {
+        vec![example(
+            "k = 1",
+            Minnaert::new(1.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

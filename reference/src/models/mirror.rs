@@ -1,6 +1,8 @@
 //! The ideal mirror with Fresnel reflectance (1.29, 1.30): nothing but a Dirac part.
 
 use crate::fresnel::Index;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example, gold};
 use crate::{Brdf, Direction};
 
 /// A smooth surface: radiance from R is reflected with the weight F(Θ), nothing else is.
@@ -47,6 +49,23 @@ impl Brdf for Mirror {
         }
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "mirror",
+    source: "(1.29), (1.30)",
+    formula: "F(Θ) Δ(V − R)/cosΘ",
+    parameters: "one index for each channel, or ideal",
+    reciprocal: true,
+    grazing: "albedo F(Θ), 1 at 90°: a Dirac part only",
+    examples: || {
+        vec![
+            example("gold's indices", Mirror::new(gold()), Conserves),
+            example("ideal", Mirror::ideal(), Conserves),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

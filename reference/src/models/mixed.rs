@@ -2,6 +2,9 @@
 
 use crate::brdf::luminance;
 use crate::error::within;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
+use crate::models::{Energy, Lambert, MetallicPhong};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 
@@ -87,6 +90,31 @@ impl Brdf for Mixed {
         self.parts.iter().all(|(_, b)| b.is_isotropic())
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "mixed",
+    source: "(5.3), (5.4)",
+    formula: "Σ cₖ fₖ",
+    parameters: "weights 0 … 1 with a sum of at most 1; any models",
+    reciprocal: true,
+    grazing: "the sum of its parts'",
+    examples: || {
+        vec![example(
+            "0.5 Lambert and 0.5 metallic Phong, n = 20",
+            Mixed::new(vec![
+                (0.5, Box::new(Lambert::grey(1.0).expect("in range"))),
+                (
+                    0.5,
+                    Box::new(MetallicPhong::new(20.0, Energy::Published).expect("in range")),
+                ),
+            ])
+            .expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,8 @@
 
 use crate::error::within;
 use crate::geometry::{below_horizon, over_cos_theta_min};
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
@@ -48,6 +50,31 @@ impl Brdf for OrenNayar {
         out.extend([l.z - v.z, plane_dot(l, v)]);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "oren_nayar",
+    source: "(1.56)",
+    formula: "ρ/π (A + B (LV − NL·NV)⁺/max(NL, NV))",
+    parameters: "ρ 0 … 1; σ 0 … π/2 radians",
+    reciprocal: true,
+    grazing: "f unbounded for L and V both at the horizon; albedo up to 1.015",
+    examples: || {
+        vec![
+            example(
+                "ρ = 1, σ = 0.2",
+                OrenNayar::new(1.0, 0.2).expect("in range"),
+                Exceeds,
+            ),
+            example(
+                "ρ = 0.9, σ = 0.5",
+                OrenNayar::new(0.9, 0.5).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 use super::oren_nayar::{coefficients, plane_dot};
 use crate::error::within;
 use crate::geometry::{below_horizon, cos_theta_min};
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
@@ -73,6 +75,31 @@ impl Brdf for OrenNayarFull {
         out.extend([l.z - v.z, plane_dot(l, v)]);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "oren_nayar_full",
+    source: "(1.57) to (1.59), Oren and Nayar 1994",
+    formula: "ρ/π (A + B … + C₃ … ) + interreflections",
+    parameters: "ρ 0 … 1; σ 0 … π/2 radians",
+    reciprocal: true,
+    grazing: "f unbounded; albedo up to 1.05",
+    examples: || {
+        vec![
+            example(
+                "ρ = 1, σ = 0.3",
+                OrenNayarFull::new(1.0, 0.3).expect("in range"),
+                Exceeds,
+            ),
+            example(
+                "ρ = 0.8, σ = 0.5",
+                OrenNayarFull::new(0.8, 0.5).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,9 +4,12 @@
 use crate::albedo::directional_albedo;
 use crate::error::within;
 use crate::geometry::{below_horizon, bounded_ratio, over_cos_theta_min, power_lobe, versine};
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 use crate::models::phong::published_constant;
 use crate::models::{EXPONENT_MAX, Energy};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 
 /// The p-model with exponent n (0 … 1e8) and p (0 … 1).
@@ -83,6 +86,36 @@ impl Brdf for PModel {
         }
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "p_model",
+    source: "(3.12)",
+    formula: "c_n cosⁿα/cosᵖΘmin",
+    parameters: "n 0 … 1e8; p 0 … 1; published or strict energy",
+    reciprocal: true,
+    grazing: "between Phong's (p = 0) and metallic Phong's (p = 1)",
+    examples: || {
+        let new = |n, p, energy| PModel::new(n, p, energy).expect("in range");
+        vec![
+            example(
+                "n = 20, p = 0.5",
+                new(20.0, 0.5, Energy::Published),
+                Conserves,
+            ),
+            example(
+                "n = 1, p = 0.9",
+                new(1.0, 0.9, Energy::Published),
+                Conserves,
+            ),
+            example("n = 1, p = 1", new(1.0, 1.0, Energy::Published), Exceeds),
+        ]
+    },
+    sampler: Some(|v, visit| {
+        let m = PModel::new(7.0, 0.5, Energy::Published).expect("in range");
+        visit(&m, &PhongLobe::new(&m, 7.0, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

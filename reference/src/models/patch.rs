@@ -2,7 +2,10 @@
 
 use crate::error::above;
 use crate::geometry::{below_horizon, metric_squared};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{PatchDisc, PatchMethod};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
 
@@ -84,6 +87,32 @@ impl Brdf for Patch {
         Chart::new(ChartKind::Plane, self.radius).with_edges(&[self.radius])
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch",
+    source: "(4.2), (4.7)",
+    formula: "1/(π min(1, R²)) where m ≤ R",
+    parameters: "R above 0 and at most 2",
+    reciprocal: true,
+    grazing: "f bounded; albedo at least 0.391",
+    examples: || {
+        vec![
+            example("R = 0.5", Patch::new(0.5).expect("in range"), Conserves),
+            example("R = 1", Patch::new(1.0).expect("in range"), Conserves),
+        ]
+    },
+    sampler: Some(|v, visit| {
+        for (radius, method) in [
+            (0.5, PatchMethod::Rejection),
+            (1.2, PatchMethod::Rejection),
+            (0.5, PatchMethod::Roulette),
+        ] {
+            let m = Patch::new(radius).expect("in range");
+            visit(&m, &PatchDisc::new(radius, v, method));
+        }
+    }),
+};
 
 #[cfg(test)]
 mod tests {

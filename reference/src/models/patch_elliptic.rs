@@ -3,7 +3,10 @@
 use super::Metric;
 use crate::error::above;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::Elliptic;
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -85,6 +88,27 @@ impl Brdf for PatchElliptic {
         self.ratio == 1.0
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_elliptic",
+    source: "(4.32) to (4.36)",
+    formula: "c(b) where √((B/A x)² + y²) ≤ b",
+    parameters: "b above 0 and at most 2; B/A above 0 and at most 1",
+    reciprocal: true,
+    grazing: "f bounded",
+    examples: || {
+        vec![example(
+            "b = 0.4, B/A = 0.5",
+            PatchElliptic::new(0.4, 0.5).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = PatchElliptic::new(0.4, 0.5).expect("in range");
+        visit(&m, &Elliptic::new(m, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -2,7 +2,10 @@
 
 use crate::error::within;
 use crate::geometry::{below_horizon, metric_squared};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{Mixture, MixtureMethod};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{PI, TAU};
 
@@ -122,6 +125,40 @@ impl Brdf for PatchExponential {
         Chart::new(ChartKind::Plane, 2.0 / (1.0 + self.sharpness))
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_exponential",
+    source: "(4.45) to (4.47)",
+    formula: "s²/(2π(1 − (1 + s)e^(−s))) e^(−s·m)",
+    parameters: "s 0 … 1e8",
+    reciprocal: true,
+    grazing: "f bounded, radiance falls to 0; albedo at least about ½",
+    examples: || {
+        vec![
+            example(
+                "s = 12",
+                PatchExponential::new(12.0).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "s = 1",
+                PatchExponential::new(1.0).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: Some(|v, visit| {
+        for (s, method) in [
+            (4.0, MixtureMethod::Redraw),
+            (40.0, MixtureMethod::Redraw),
+            (1.0, MixtureMethod::Roulette),
+        ] {
+            let m = PatchExponential::new(s).expect("in range");
+            visit(&m, &Mixture::new(m, v, method));
+        }
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,8 @@
 use super::Patch;
 use crate::error::within;
 use crate::geometry::{below_horizon, metric_squared};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind, Estimate, adaptive};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -105,6 +107,24 @@ impl<F: Fn(f64) -> f64> Brdf for PatchMixture<F> {
         Chart::new(ChartKind::Plane, self.scale).with_edges(&[1.0])
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_mixture",
+    source: "(4.20) to (4.24), (4.40)",
+    formula: "∫ₘ² p(R)/(π min(1, R²)) dR + p_Diffuse/π, and a mirror of weight p_Mirror",
+    parameters: "any density p(R) ≥ 0; weights; a total of at most 1",
+    reciprocal: true,
+    grazing: "the mixture of the patches'",
+    examples: || {
+        vec![example(
+            "p = 0.375 R(2 − R), p_Mirror = 0.2, p_Diffuse = 0.3",
+            PatchMixture::new(|r: f64| 0.375 * r * (2.0 - r), 0.2, 0.3).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 use super::Metric;
 use crate::error::above;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind, Estimate, adaptive};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -71,6 +73,24 @@ impl Brdf for PatchPNorm {
         self.p == 2.0 && self.metric.is_isotropic()
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_p_norm",
+    source: "(4.38)",
+    formula: "c where ((B/A |x|)ᵖ + |y|ᵖ)^(1/p) ≤ R",
+    parameters: "R above 0 and at most 2; B/A above 0 and at most 1; p 1 … 100",
+    reciprocal: true,
+    grazing: "f bounded",
+    examples: || {
+        vec![example(
+            "R = 0.5, B/A = 0.7, p = 4",
+            PatchPNorm::new(0.5, 0.7, 4.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -6,6 +6,8 @@ use crate::brdf::luminance;
 use crate::error::channels_within;
 use crate::fresnel::Index;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example, index};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
@@ -55,6 +57,24 @@ impl Brdf for PatchPlastic {
         self.shape.chart(l)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_plastic",
+    source: "(4.55)",
+    formula: "a_d/π + (1 − a_d) C e^(−s·m) F(θ')",
+    parameters: "a_d 0 … 1 of each channel; s 0 … 1e8; index",
+    reciprocal: true,
+    grazing: "f bounded",
+    examples: || {
+        vec![example(
+            "a_d = 0.5, 0.3, 0.1, s = 30, glass",
+            PatchPlastic::new([0.5, 0.3, 0.1], 30.0, index(1.5, 0.0)).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

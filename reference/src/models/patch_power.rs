@@ -2,6 +2,8 @@
 
 use crate::error::within;
 use crate::geometry::{below_horizon, metric_squared};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::TAU;
@@ -58,6 +60,24 @@ impl Brdf for PatchPower {
         Chart::new(ChartKind::Plane, 2.0 / (self.exponent + 2.0)).with_edges(&[1.0])
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_power",
+    source: "(5.12)",
+    formula: "(n + 1)(n + 2)/2π ((1 − m)⁺)ⁿ",
+    parameters: "n 0 … 1e8",
+    reciprocal: true,
+    grazing: "f bounded; albedo about ½ at the horizon",
+    examples: || {
+        vec![example(
+            "n = 12",
+            PatchPower::new(12.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 use super::Metric;
 use crate::albedo::greatest_albedo;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind, Estimate, adaptive};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -138,6 +140,32 @@ impl<F: Fn(f64) -> f64> Brdf for PatchProfile<F> {
         self.metric.is_isotropic()
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_profile",
+    source: "(4.39) to (4.43)",
+    formula: "C ξ(m)",
+    parameters: "any ξ ≥ 0 on 0 … 2; Euclidean, elliptic or p-norm metric, about R or L",
+    reciprocal: true,
+    grazing: "f bounded",
+    examples: || {
+        vec![
+            example(
+                "ξ = 1/(1 + 30m²)",
+                PatchProfile::new(|m: f64| 1.0 / (1.0 + 30.0 * m * m), Metric::EUCLIDEAN)
+                    .expect("a profile"),
+                Conserves,
+            ),
+            example(
+                "ξ = 1 + m (increasing)",
+                PatchProfile::new(|m: f64| 1.0 + m, Metric::EUCLIDEAN).expect("a profile"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,10 @@
 use super::Patch;
 use crate::error::above;
 use crate::geometry::{below_horizon, retro_metric_squared};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{PatchDisc, PatchMethod};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
 
@@ -51,6 +54,27 @@ impl Brdf for PatchRetro {
         Chart::new(ChartKind::RetroPlane, self.radius).with_edges(&[self.radius])
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "patch_retro",
+    source: "(4.29)",
+    formula: "1/(π min(1, R²)) where |L_P − V_P| ≤ R",
+    parameters: "R above 0 and at most 2",
+    reciprocal: true,
+    grazing: "as the basic patch's",
+    examples: || {
+        vec![example(
+            "R = 0.5",
+            PatchRetro::new(0.5).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = PatchRetro::new(0.5).expect("in range");
+        visit(&m, &PatchDisc::retro(0.5, v, PatchMethod::Rejection));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,10 @@
 use crate::error::within;
 use crate::geometry::{below_horizon, power_lobe, versine};
 use crate::models::EXPONENT_MAX;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::TAU;
 
@@ -58,6 +61,27 @@ impl Brdf for Phong {
         Chart::power(ChartKind::Mirror, self.exponent)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "phong",
+    source: "(1.33), (3.5), (3.6)",
+    formula: "c_n cosⁿα, c_n = (n + 2)/2π",
+    parameters: "n 0 … 1e8",
+    reciprocal: true,
+    grazing: "albedo tends to cosΘ for large n, radiance to 0",
+    examples: || {
+        vec![example(
+            "n = 20",
+            Phong::new(20.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = Phong::new(1e8).expect("in range");
+        visit(&m, &PhongLobe::new(&m, 1e8, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 use crate::error::within;
 use crate::geometry::{below_horizon, power_lobe, versine};
 use crate::models::EXPONENT_MAX;
+use crate::models::entry::Claim::Exceeds;
+use crate::models::entry::{ModelEntry, example};
 use crate::models::phong::published_constant;
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
@@ -46,6 +48,24 @@ impl Brdf for PhongOriginal {
         Chart::power(ChartKind::Mirror, self.exponent)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "phong_original",
+    source: "(2.5)",
+    formula: "c_n (R·V)ⁿ/cosΘL",
+    parameters: "n 0 … 1e8",
+    reciprocal: false,
+    grazing: "albedo unbounded",
+    examples: || {
+        vec![example(
+            "n = 20",
+            PhongOriginal::new(20.0).expect("in range"),
+            Exceeds,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,8 @@
 
 use crate::error::channels_within;
 use crate::geometry::{below_horizon, bounded_ratio, over_cos_theta_min, power_lobe, versine};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::models::phong::published_constant;
 use crate::models::{EXPONENT_MAX, Energy, PModel};
 use crate::quadrature::{Chart, ChartKind};
@@ -120,6 +122,24 @@ impl Brdf for Plastic {
         self.highlight().creases(l, v, out);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "plastic",
+    source: "(3.31)",
+    formula: "(r, g, b)/π + a_s c_n cosⁿα/cosΘmin",
+    parameters: "albedo and specular 0 … 1 with a greatest sum of 1; n 0 … 1e8",
+    reciprocal: true,
+    grazing: "the highlight keeps its radiance",
+    examples: || {
+        vec![example(
+            "albedo 0.6, 0.3, 0.1, specular 0.3, n = 50",
+            Plastic::white_highlight([0.6, 0.3, 0.1], 0.3, 50.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

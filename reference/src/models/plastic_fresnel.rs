@@ -4,6 +4,8 @@ use crate::brdf::luminance;
 use crate::error::{channels_within, within};
 use crate::fresnel::Index;
 use crate::geometry::{below_horizon, cos_theta_min};
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example, index};
 use crate::models::{Energy, PModel};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
@@ -78,6 +80,24 @@ impl Brdf for PlasticFresnel {
         self.shape.creases(l, v, out);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "plastic_fresnel",
+    source: "(3.30)",
+    formula: "a_d/π + a_s c_n cosⁿα/cosΘmin F(Θmin)",
+    parameters: "a_d and a_s with a greatest sum of 1; n 0 … 1e8; index",
+    reciprocal: true,
+    grazing: "the highlight grows with F",
+    examples: || {
+        vec![example(
+            "a_d = 0.3, a_s = 0.7, n = 50, glass",
+            PlasticFresnel::new([0.3; 3], 0.7, 50.0, index(1.5, 0.0)).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,9 @@
 use crate::albedo::directional_albedo_for;
 use crate::brdf::Channel;
 use crate::fresnel::Index;
+use crate::models::Patch;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Accuracy, Chart};
 use crate::{Brdf, Direction};
 
@@ -71,6 +74,24 @@ impl<B: Brdf> Brdf for Polished<B> {
         self.base.is_isotropic()
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "polished",
+    source: "(4.56), (4.57)",
+    formula: "f_base + (1 − a(L)) F(Θ) Δ(V − R)/cosΘ",
+    parameters: "any base; index of the polish, or ideal",
+    reciprocal: true,
+    grazing: "a mirror in the base's missing albedo",
+    examples: || {
+        vec![example(
+            "basic patch R = 1, ideal mirror",
+            Polished::new(Patch::new(1.0).expect("in range"), None),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,9 +1,15 @@
 //! Albedo pumping-up (2.16): any symmetric model divided by a symmetric function of its
 //! own albedo, any number of times.
 
+mod grid;
+
 use crate::geometry::below_horizon;
+use crate::models::Phong;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, Estimate, adaptive};
 use crate::{Brdf, Direction, ParameterError};
+use grid::{add_gregory, cosine, node, read, sine};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What the model is divided by at each step, with a the albedo before the step.
@@ -245,63 +251,6 @@ impl Pump {
     }
 }
 
-/// Adds the weights of Gregory's rule of fourth order for the entries `from` … `to`.
-fn add_gregory(weights: &mut [f64], from: usize, to: usize) {
-    if from == to {
-        return;
-    }
-    for w in &mut weights[from..=to] {
-        *w += 1.0;
-    }
-    if to == from + 1 {
-        weights[from] -= 0.5;
-        weights[to] -= 0.5;
-        return;
-    }
-    for (k, correction) in [-5.0 / 8.0, 1.0 / 6.0, -1.0 / 24.0].into_iter().enumerate() {
-        weights[from + k] += correction;
-        weights[to - k] += correction;
-    }
-}
-
-/// 90° less the angle of entry i: the entries crowd quadratically towards the horizon,
-/// where the albedo of a model that was pumped often has a boundary layer.
-fn elevation(i: usize, cells: usize) -> f64 {
-    FRAC_PI_2 * (1.0 - i as f64 / cells as f64).powi(2)
-}
-
-fn cosine(i: usize, cells: usize) -> f64 {
-    elevation(i, cells).sin()
-}
-
-fn sine(i: usize, cells: usize) -> f64 {
-    elevation(i, cells).cos()
-}
-
-fn node(i: usize, cells: usize, phi: f64) -> Direction {
-    let s = sine(i, cells);
-    Direction::new(s * phi.cos(), s * phi.sin(), cosine(i, cells))
-}
-
-/// Catmull–Rom interpolation at an elevation of 0 … π/2.
-fn read(table: &[f64], elevation: f64) -> f64 {
-    let last = table.len() - 1;
-    let x = (1.0 - (elevation / FRAC_PI_2).max(0.0).sqrt()) * last as f64;
-    let x = x.clamp(0.0, last as f64);
-    let i = (x as usize).min(last - 1);
-    let t = x - i as f64;
-    let at = |k: isize| table[(i as isize + k).clamp(0, last as isize) as usize];
-    let (a, b) = (at(0), at(1));
-    let before = if i == 0 { 2.0 * a - b } else { at(-1) };
-    let after = if i + 1 == last { 2.0 * b - a } else { at(2) };
-    let (da, db) = (0.5 * (b - before), 0.5 * (after - a));
-    let (t2, t3) = (t * t, t * t * t);
-    a * (2.0 * t3 - 3.0 * t2 + 1.0)
-        + da * (t3 - 2.0 * t2 + t)
-        + b * (3.0 * t2 - 2.0 * t3)
-        + db * (t3 - t2)
-}
-
 impl<B: Brdf> Brdf for Pumped<B> {
     fn eval(&self, l: &Direction, v: &Direction) -> f64 {
         if below_horizon(l, v) {
@@ -342,6 +291,32 @@ impl<B: Brdf> Brdf for Pumped<B> {
         out.push(l.z - v.z);
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "pumped",
+    source: "(2.16) to (2.21)",
+    formula: "f/Π g, g1 = max(a(L), a(V)), g2 = max(g1, NL, NV), or the product floored at max(NL, NV)",
+    parameters: "any isotropic symmetric model; rule; 0 … 100 times",
+    reciprocal: true,
+    grazing: "the albedo is lifted; with g1 the radiance grows beyond the mirror's",
+    examples: || {
+        let phong = Phong::new(20.0).expect("in range");
+        vec![
+            example(
+                "Phong n = 20, g1 twice",
+                Pumped::with_cells(phong, PumpRule::Full, 2, 240).expect("symmetric"),
+                Conserves,
+            ),
+            example(
+                "Phong n = 20, g2 floored, 3 times",
+                Pumped::with_cells(phong, PumpRule::ControlledFloored, 3, 240).expect("symmetric"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

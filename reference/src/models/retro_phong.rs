@@ -3,8 +3,11 @@
 use crate::geometry::{
     below_horizon, bounded_ratio, over_cos_theta_min, power_lobe, retro_versine,
 };
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::models::{Energy, PModel};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 
 /// The lobe points back to the light: the p-model with L for R.
@@ -61,6 +64,27 @@ impl Brdf for RetroPhong {
         }
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "retro_phong",
+    source: "(3.13)",
+    formula: "c_n [(L·V)⁺]ⁿ/cosᵖΘmin",
+    parameters: "n 0 … 1e8; p 0 … 1; published or strict energy",
+    reciprocal: true,
+    grazing: "as the p-model's",
+    examples: || {
+        vec![example(
+            "n = 20, p = 1",
+            RetroPhong::new(20.0, 1.0, Energy::Published).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = RetroPhong::new(20.0, 1.0, Energy::Published).expect("in range");
+        visit(&m, &PhongLobe::retro(&m, 20.0, v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,9 @@ use crate::albedo::greatest_constant;
 use crate::brdf::luminance;
 use crate::error::within;
 use crate::geometry::below_horizon;
+use crate::models::Lambert;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::Chart;
 use crate::{Brdf, Direction, ParameterError};
 
@@ -84,6 +87,25 @@ impl<B: Brdf> Brdf for Sandwich<B> {
         self.base.is_isotropic()
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "sandwich",
+    source: "(1.62), (1.63)",
+    formula: "C f_base/(2 + k(1/NL + 1/NV))ⁿ",
+    parameters: "k 0 … 1000; n 0 … 100; any base; printed or enhanced",
+    reciprocal: true,
+    grazing: "falls to 0 for k above 0",
+    examples: || {
+        let base = Lambert::grey(0.8).expect("in range");
+        vec![example(
+            "k = 0.5, n = 2 over Lambert",
+            Sandwich::enhanced(base, 0.5, 2.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 use crate::error::above;
 use crate::geometry::below_horizon;
 use crate::half::Half;
+use crate::models::entry::Claim::{Conserves, Exceeds};
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
@@ -53,6 +55,31 @@ impl Brdf for Schlick {
         self.p == 1.0
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "schlick",
+    source: "(1.49), (1.50), Schlick 1994",
+    formula: "Z A/(4π (r + (1 − r)NL)(r + (1 − r)NV))",
+    parameters: "r above 0 and at most 1; p above 0 and at most 1",
+    reciprocal: true,
+    grazing: "f bounded, but the albedo exceeds 1 for small r",
+    examples: || {
+        vec![
+            example(
+                "r = 0.1, p = 1",
+                Schlick::new(0.1, 1.0).expect("in range"),
+                Exceeds,
+            ),
+            example(
+                "r = 0.5, p = 0.6",
+                Schlick::new(0.5, 0.6).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,10 @@
 use super::tobler_power::sphere_metric;
 use crate::error::within;
 use crate::geometry::below_horizon;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{ToblerLobe, ToblerProfile};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
 
@@ -52,6 +55,27 @@ impl Brdf for ToblerExponential {
         Chart::new(ChartKind::Mirror, 0.4 / (self.sharpness + 1.0).sqrt())
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "tobler_exponential",
+    source: "(1.69), (1.70), (1.72)",
+    formula: "2s/(π(1 − e^(−2s))) e^(−s(1 − R_S·V_S))",
+    parameters: "s 0 … 1e8",
+    reciprocal: true,
+    grazing: "albedo 1 at every angle; the lobe becomes a ring at the horizon",
+    examples: || {
+        vec![example(
+            "s = 10",
+            ToblerExponential::new(10.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = ToblerExponential::new(10.0).expect("in range");
+        visit(&m, &ToblerLobe::new(ToblerProfile::Exponential(m), v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,10 @@
 use crate::error::within;
 use crate::geometry::{below_horizon, power_lobe};
 use crate::models::EXPONENT_MAX;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{ToblerLobe, ToblerProfile};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
 
@@ -58,6 +61,27 @@ impl Brdf for ToblerPower {
         out.push(1.0 - sphere_metric(l, v));
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "tobler_power",
+    source: "(1.69) to (1.71)",
+    formula: "2(n + 1)/π (R_S·V_S)⁺ⁿ",
+    parameters: "n 0 … 1e8",
+    reciprocal: true,
+    grazing: "albedo 1 at every angle",
+    examples: || {
+        vec![example(
+            "n = 10",
+            ToblerPower::new(10.0).expect("in range"),
+            Conserves,
+        )]
+    },
+    sampler: Some(|v, visit| {
+        let m = ToblerPower::new(10.0).expect("in range");
+        visit(&m, &ToblerLobe::new(ToblerProfile::Power(m), v));
+    }),
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 
 use super::microfacet::{Attenuation, Distribution, Facet, Microfacet, microfacet_brdf};
 use crate::ParameterError;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 
 /// Torrance–Sparrow. The albedo is at most 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +25,31 @@ impl TorranceSparrow {
 }
 
 microfacet_brdf!(TorranceSparrow);
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "torrance_sparrow",
+    source: "slides, after pbrt",
+    formula: "D G F/(4 NL·NV), Blinn's or Ashikhmin's and Shirley's D",
+    parameters: "exponents 0 … 1e8; F",
+    reciprocal: true,
+    grazing: "as Cook–Torrance with V-cavities",
+    examples: || {
+        vec![
+            example(
+                "Blinn, e = 30",
+                TorranceSparrow::blinn(30.0, Facet::White).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "Ashikhmin–Shirley, 10 and 100",
+                TorranceSparrow::ashikhmin_shirley(10.0, 100.0, Facet::White).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

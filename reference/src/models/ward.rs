@@ -3,6 +3,8 @@
 use crate::error::within;
 use crate::geometry::below_horizon;
 use crate::half::Half;
+use crate::models::entry::Claim::Exceeds;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
@@ -42,6 +44,23 @@ impl Brdf for Ward {
         Chart::new(ChartKind::Half, self.m)
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "ward",
+    source: "(1.46), (2.8), (3.35)",
+    formula: "e^(−tan²δ/m²)/(4πm² √(NL·NV))",
+    parameters: "m 1e-4 … 10",
+    reciprocal: true,
+    grazing: "albedo grows as 1/√cosΘ: 1.175 at 89.995°, 3.710 at 89.9995° for m = 0.1",
+    examples: || {
+        vec![
+            example("m = 0.1", Ward::new(0.1).expect("in range"), Exceeds),
+            example("m = 0.2", Ward::new(0.2).expect("in range"), Exceeds),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,8 @@
 use crate::error::within;
 use crate::geometry::below_horizon;
 use crate::half::Half;
+use crate::models::entry::Claim::Exceeds;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
@@ -54,6 +56,24 @@ impl Brdf for WardAnisotropic {
         self.x == self.y
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "ward_anisotropic",
+    source: "(1.47)",
+    formula: "e^(−tan²δ(cos²φ/σx² + sin²φ/σy²))/(4πσxσy √(NL·NV))",
+    parameters: "σx, σy 1e-4 … 10",
+    reciprocal: true,
+    grazing: "as Ward's",
+    examples: || {
+        vec![example(
+            "σ = 0.3, 0.1",
+            WardAnisotropic::new(0.3, 0.1).expect("in range"),
+            Exceeds,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,8 @@
 use crate::error::within;
 use crate::geometry::below_horizon;
 use crate::half::Half;
+use crate::models::entry::Claim::Exceeds;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -61,6 +63,24 @@ impl Brdf for WardConvenient {
         self.x == self.y
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "ward_convenient",
+    source: "(1.48)",
+    formula: "a_D/π + a_S e^(−2((Hu/σx)² + (Hv/σy)²)/(1 + NH))/(4πσxσy √(NL·NV))",
+    parameters: "a_D + a_S at most 1; σx, σy 1e-4 … 10",
+    reciprocal: true,
+    grazing: "as Ward's",
+    examples: || {
+        vec![example(
+            "a_D = 0.3, a_S = 0.7, σ = 0.3, 0.1",
+            WardConvenient::new(0.3, 0.7, 0.3, 0.1).expect("in range"),
+            Exceeds,
+        )]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {

@@ -5,6 +5,8 @@ use crate::albedo::greatest_albedo;
 use crate::error::within;
 use crate::geometry::{below_horizon, bounded_ratio, over_cos_theta_min};
 use crate::half::Half;
+use crate::models::entry::Claim::Conserves;
+use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::PI;
@@ -84,6 +86,31 @@ impl Brdf for WardCorrected {
         self.x == self.y
     }
 }
+
+/// Its place in the list of models.
+pub const ENTRY: ModelEntry = ModelEntry {
+    name: "ward_corrected",
+    source: "(3.36), Table 3.2",
+    formula: "C/(4πσxσy) e^(−tan²δ(…))/max(NL, NV)",
+    parameters: "σx, σy 1e-4 … 10",
+    reciprocal: true,
+    grazing: "radiance bounded; albedo falls",
+    examples: || {
+        vec![
+            example(
+                "m = 0.2",
+                WardCorrected::new(0.2).expect("in range"),
+                Conserves,
+            ),
+            example(
+                "σ = 0.3, 0.1",
+                WardCorrected::anisotropic(0.3, 0.1).expect("in range"),
+                Conserves,
+            ),
+        ]
+    },
+    sampler: None,
+};
 
 #[cfg(test)]
 mod tests {
