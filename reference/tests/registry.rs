@@ -40,7 +40,7 @@ fn every_file_is_in_the_list_and_the_other_way_round() {
 fn every_file_has_the_same_shape() {
     for (name, text) in files() {
         let lines = text.lines().count();
-        assert!(lines <= 350, "{name}: {lines} lines");
+        assert!(lines <= 370, "{name}: {lines} lines");
         let doc = text.find("//! ").expect("a description");
         let parameters = text.find("pub struct").expect("parameters");
         let checks = text
