@@ -36,6 +36,7 @@ pub mod brdf;
 mod colour;
 mod error;
 pub mod geometry;
+pub mod sampling;
 pub mod shade;
 pub mod table;
 

@@ -16,6 +16,7 @@ use core::hint::black_box;
 use microbrdf::arithmetic::Arithmetic;
 use microbrdf::brdf::Brdf;
 use microbrdf::geometry::{Direction, ShadingFrame, World};
+use microbrdf::sampling::{Sample, Sampling};
 
 /// Evaluates a model in every way, at directions of any bits.
 #[inline(never)]
@@ -34,4 +35,17 @@ pub fn evaluate<A: Arithmetic>(model: &impl Brdf<A>, components: [A::Component; 
     black_box((model.share(&frame), model.share(&world)));
     black_box(A::linear(model.shade(&gain, &world)).srgb8());
     black_box(A::linear(model.shade(&gain, &frame)).rgb565());
+}
+
+/// Draws from a sampler, at directions of any bits.
+#[inline(never)]
+pub fn draw<A: Sampling>(
+    sampler: &impl Sample<A>,
+    components: [A::Component; 6],
+    random: [A::Uniform; 2],
+) {
+    let [lx, ly, lz, vx, vy, vz] = black_box(components);
+    let (l, v) = (Direction::new(lx, ly, lz), Direction::new(vx, vy, vz));
+    black_box(sampler.sample(&v, black_box(random)));
+    black_box(sampler.pdf(&l, &v));
 }

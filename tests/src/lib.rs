@@ -9,6 +9,7 @@ pub mod error;
 pub mod frame;
 pub mod planted;
 pub mod registry;
+pub mod sampling;
 pub mod tolerance;
 
 /// The example in the project's README compiles.

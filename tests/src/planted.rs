@@ -302,4 +302,32 @@ pub const BUGS: &[Bug] = &[
         "2 * y + 1 - i32::from(self.height)",
         &["picture"],
     ),
+    bug(
+        "a lobe is drawn as for n + 1",
+        "core/src/sampling/phong.rs",
+        "concentration: 1.0 / (n + 1.0)",
+        "concentration: 1.0 / (n + 2.0)",
+        &["sampling"],
+    ),
+    bug(
+        "a mixture's far points lie on the wrong side",
+        "core/src/sampling/patch_exponential.rs",
+        "A::mirrored(&A::raised(offset))",
+        "A::raised(offset)",
+        &["sampling"],
+    ),
+    bug(
+        "a sample below the horizon is kept",
+        "core/src/sampling/phong.rs",
+        "A::above_horizon(l.z, v.z).then_some(l)",
+        "Some(l)",
+        &["sampling"],
+    ),
+    bug(
+        "a sample's Fresnel factor is V's",
+        "core/src/sampling/metal.rs",
+        "self.model.reflectance(larger::<A>(direction.z, v.z))",
+        "self.model.reflectance(v.z)",
+        &["sampling"],
+    ),
 ];

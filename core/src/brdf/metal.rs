@@ -26,6 +26,18 @@ impl<A: Arithmetic> Metal<A> {
     pub const fn new(lobe: MetallicPhong<A>, fresnel: CosineCurve) -> Self {
         Self { lobe, fresnel }
     }
+
+    /// Its lobe.
+    #[inline]
+    pub(crate) fn lobe(&self) -> &MetallicPhong<A> {
+        &self.lobe
+    }
+
+    /// F at cosΘmin.
+    #[inline]
+    pub(crate) fn reflectance(&self, cosine: A::Component) -> Rgb<A::Unit> {
+        A::curve(&self.fresnel, cosine)
+    }
 }
 
 impl<A: Arithmetic> Shape for Metal<A> {
@@ -49,7 +61,7 @@ impl<A: Arithmetic> Shape for Metal<A> {
             return lobe;
         }
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        let fresnel = A::curve(&self.fresnel, larger::<A>(n_dot_l, n_dot_v));
+        let fresnel = self.reflectance(larger::<A>(n_dot_l, n_dot_v));
         fresnel.map(|reflectance| A::product(reflectance, lobe.r))
     }
 }

@@ -21,6 +21,7 @@ pub use lambert::Lambert;
 pub use metal::Metal;
 pub use patch::Patch;
 pub use patch_exponential::PatchExponential;
+pub(crate) use patch_exponential::mixture_mass;
 pub use phong::{Axis, MetallicPhong, Mirror, PModel, Phong, PhongLobe, Retro, RetroPhong};
 pub use plastic::Plastic;
 

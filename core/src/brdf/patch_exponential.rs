@@ -61,8 +61,13 @@ impl<const CELLS: usize> PatchExponential<Q31<CELLS>> {
 
 /// C(s) (4.45), 32 fraction bits in and out, error at most 1e-9 of it.
 const fn mixture_peak(s: u64) -> u64 {
-    // C = 1/(2π·q) with q = (1 − (1+s)e^−s)/s², 64 fraction bits.
-    let q = if s < 1 << 31 {
+    // C = 1/(2π·q) = (1/π)/(2q), to 32 fraction bits.
+    divide(INVERSE_PI << 31, mixture_integral(s)) as u64
+}
+
+/// q = (1 − (1+s)e^−s)/s², 64 fraction bits for an s with 32.
+const fn mixture_integral(s: u64) -> u128 {
+    if s < 1 << 31 {
         // The closed form is 0/0 at s = 0. q = Σ (−s)^k (k+1)/(k+2)!.
         let s = (s as u128) << 32;
         let mut k = 16;
@@ -74,12 +79,27 @@ const fn mixture_peak(s: u64) -> u64 {
         }
         sum
     } else {
-        let exponential = exp_neg(times(s, ONE));
-        let tail = exponential + ((exponential * s as u128) >> 32);
-        divide(divide((ONE - tail) << 32, s as u128) << 32, s as u128)
+        divide(divide(above_tail(s) << 32, s as u128) << 32, s as u128)
+    }
+}
+
+/// 1 − (1+s)e^−s, 64 fraction bits for an s with 32.
+const fn above_tail(s: u64) -> u128 {
+    let exponential = exp_neg(times(s, ONE));
+    let tail = exponential + ((exponential * s as u128) >> 32);
+    ONE - tail
+}
+
+/// What sampling needs of s, which has 32 fraction bits: the mass
+/// 1 − (1+s)e^−s with 64 fraction bits, and √(2·mass)/s with 63.
+pub(crate) const fn mixture_mass(s: u64) -> [u128; 2] {
+    let integral = mixture_integral(s);
+    let mass = if s < 1 << 31 {
+        (integral * (s as u128 * s as u128)) >> 64
+    } else {
+        above_tail(s)
     };
-    // (1/π)/(2q), to 32 fraction bits.
-    divide(INVERSE_PI << 31, q) as u64
+    [mass, (integral << 63).isqrt()]
 }
 
 /// (k+1)/(k+2)! with 64 fraction bits.
@@ -91,6 +111,14 @@ const fn series_coefficient(k: u32) -> u128 {
         i += 1;
     }
     divide(ONE * (k as u128 + 1), factorial)
+}
+
+impl<A: Arithmetic> PatchExponential<A> {
+    /// ξ(m) for m².
+    #[inline]
+    pub(crate) fn profile(&self, m_squared: A::Separation) -> A::Unit {
+        A::profile(&self.profile, m_squared)
+    }
 }
 
 impl<A: Arithmetic> Shape for PatchExponential<A> {
@@ -109,6 +137,6 @@ impl<A: Arithmetic> Shape for PatchExponential<A> {
 
     #[inline]
     fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        Rgb::grey(A::profile(&self.profile, geometry.separation()))
+        Rgb::grey(self.profile(geometry.separation()))
     }
 }

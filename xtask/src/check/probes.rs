@@ -15,7 +15,13 @@ use crate::failure::{During, Failure, Outcome};
 const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
 
 /// Probes, and whether they compute with floats.
-const PROBES: [(&str, bool); 3] = [("q31", false), ("scene", false), ("f32", true)];
+const PROBES: [(&str, bool); 5] = [
+    ("q31", false),
+    ("sampling_q31", false),
+    ("scene", false),
+    ("f32", true),
+    ("sampling_f32", true),
+];
 
 /// The probe that must not link.
 const MUST_FAIL: &str = "must_fail";
