@@ -4,7 +4,7 @@ use crate::measured::{Measured, measure};
 use crate::models::ALL;
 use crate::models::entry::Claim;
 use crate::models::registry::NAMED_ONLY;
-use crate::sampling::variance_table;
+use crate::sampling::{Efficiency, variance_table};
 use std::fmt::Write as _;
 
 /// Instructions for one evaluation of each model, counted by callgrind (see `cost.csv` there).
@@ -146,21 +146,26 @@ fn cost_section(costs: &[(String, f64)]) -> String {
 fn variance_section() -> String {
     let mut out = format!(
         "\n## Sampling patches: variance times cost\n\n\
-         One sample's variance, and the random numbers that it takes, over {SAMPLES} samples \
+         One sample's variance times its cost, counted in random numbers, over {SAMPLES} samples \
          with fixed seeds; the light is uniform (radiance 1) or a lamp (cos⁸ about 50° from \
-         the normal). Under uniform light the corrected samplers have equal weights, so no \
-         variance at all. \"two-step\" is the sampler as printed: one radius for all tries.\n\n\
-         | model, angle of V | sampler | light | mean | variance | numbers | product |\n\
-         | --- | --- | --- | --- | --- | --- | --- |\n"
+         the normal). \"redraw\" draws the radius, if there is one, and the point again after \
+         each miss: its weights are equal, so that under uniform light there is no variance at \
+         all. \"two-step\" is the sampler as printed, one radius for all tries; \"roulette\" \
+         rejects what misses; \"cosine\" knows nothing of the model.\n\n\
+         | model, angle of V | sampler | numbers | mean, uniform | variance | × numbers | mean, lamp | variance | × numbers |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
     );
-    for (model, way, light, e) in variance_table(SAMPLES) {
+    for row in variance_table(SAMPLES) {
+        let light =
+            |e: Efficiency| format!("{:.4} | {:.5} | {:.4}", e.mean, e.variance, e.product());
         writeln!(
             out,
-            "| {model} | {way} | {light} | {:.4} | {:.5} | {:.2} | {:.4} |",
-            e.mean,
-            e.variance,
-            e.numbers,
-            e.product()
+            "| {} | {} | {:.2} | {} | {} |",
+            row.model,
+            row.way,
+            row.uniform.numbers,
+            light(row.uniform),
+            light(row.lamp)
         )
         .expect("writing to memory");
     }
@@ -179,6 +184,7 @@ relative error below 1e-6 except for measured tables (tested).\n\
 - **Grazing**: the albedo at 89.9° for the first parameters, and what happens there.\n\
 - **Cost**: instructions of one evaluation in f64, relative to reciprocal Phong's, for the \
 first parameters.\n\
-- **Sampler**: whether the texts give importance sampling, which is then implemented and tested.\n\n\
+- **Sampler**: whether the texts give importance sampling, for the model or for what it is a \
+sum of; it is then implemented, and tested against its density by a million samples.\n\n\
 | model | f(L, V) | parameters | reciprocal | conserves energy? | grazing | cost | sampler | source |\n\
 | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";

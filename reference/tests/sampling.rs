@@ -1,17 +1,18 @@
 //! Sampling against density: chi-square with fixed seeds, and the mean weight against the
 //! albedo, for every model that has a sampler.
 //!
-//! Bins are rings about the lobe's centre that hold equal shares of the samples of a pilot
-//! run, divided in azimuth; their expected shares are integrals of the sampler's own pdf.
-//! What is rejected is one more outcome.
+//! Bins hold equal shares of the samples of a pilot run: rings about the lobe's centre (about
+//! R, or in the patch's plane), and sectors of each ring. Their expected shares are integrals
+//! of the sampler's own pdf over what of them is above the horizon. What is rejected is one
+//! more outcome, and so is the direction of a Dirac part.
 
 use microbrdf_reference::albedo::directional_albedo_for;
 use microbrdf_reference::brdf::luminance;
-use microbrdf_reference::models::{ALL, ModelEntry, PatchExponential};
+use microbrdf_reference::models::{ALL, Metric, ModelEntry, PatchExponential};
 use microbrdf_reference::quadrature::{Accuracy, Chart, ChartKind, chart_cell};
-use microbrdf_reference::sampling::{Mixture, MixtureMethod, Random, Sampler};
+use microbrdf_reference::sampling::{Mixture, MixtureMethod, Random, Sampled, Sampler, TwoStep};
 use microbrdf_reference::{Brdf, Direction};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 const ANGLES: [f64; 5] = [0.0, 30.0, 60.0, 85.0, 89.9];
 /// Samples for each angle: a million for each model.
@@ -37,53 +38,98 @@ fn chart_of(model: &dyn Brdf, v: &Direction) -> Chart {
     chart
 }
 
+/// Samples of the pilot run that places the bins.
+const PILOT: usize = 50_000;
+/// The outcomes that are not bins.
+const REJECTED: usize = RINGS * SECTORS;
+const DIRAC: usize = REJECTED + 1;
+const OUTCOMES: usize = DIRAC + 1;
+
 struct Bins {
     v: Direction,
     chart: Chart,
-    edges: Vec<f64>,
+    rings: Vec<f64>,
+    /// The ends of the sectors of each ring, −π and π included.
+    sectors: Vec<Vec<f64>>,
+}
+
+/// The values that part sorted `values` into `parts` of equal number.
+fn quantiles(values: &[f64], parts: usize) -> Vec<f64> {
+    (1..parts)
+        .filter_map(|i| values.get(i * values.len() / parts).copied())
+        .collect()
 }
 
 impl Bins {
-    /// Rings of equal mass, from a pilot run.
     fn new(sampler: &dyn Sampler, v: Direction, chart: Chart, random: &mut Random) -> Self {
-        let mut radii: Vec<f64> = (0..20_000)
+        let mut pilot: Vec<(f64, f64)> = (0..PILOT)
             .filter_map(|_| sampler.sample(&mut || random.uniform()))
-            .map(|s| chart.coordinates(&v, &s.direction).0)
+            .filter(|s| !s.is_dirac)
+            .map(|s| chart.coordinates(&v, &s.direction))
             .collect();
-        radii.sort_by(f64::total_cmp);
-        let edges = (1..RINGS).map(|i| radii[i * radii.len() / RINGS]).collect();
-        Self { v, chart, edges }
+        pilot.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let radii: Vec<f64> = pilot.iter().map(|p| p.0).collect();
+        let rings = quantiles(&radii, RINGS);
+        let sectors = (0..RINGS)
+            .map(|i| {
+                let (from, to) = (i * pilot.len() / RINGS, (i + 1) * pilot.len() / RINGS);
+                let mut azimuths: Vec<f64> = pilot[from..to].iter().map(|p| p.1).collect();
+                azimuths.sort_by(f64::total_cmp);
+                let mut ends = vec![-PI];
+                ends.extend(quantiles(&azimuths, SECTORS));
+                ends.resize(SECTORS, PI);
+                ends.push(PI);
+                ends
+            })
+            .collect();
+        Self {
+            v,
+            chart,
+            rings,
+            sectors,
+        }
     }
 
     fn index(&self, l: &Direction) -> usize {
         let (t, phi) = self.chart.coordinates(&self.v, l);
-        let ring = self.edges.partition_point(|e| *e <= t);
-        let sector = ((phi + PI) / TAU * SECTORS as f64) as usize;
-        ring * SECTORS + sector.min(SECTORS - 1)
+        let ring = self.rings.partition_point(|e| *e <= t);
+        let sector = self.sectors[ring][1..SECTORS].partition_point(|e| *e <= phi);
+        ring * SECTORS + sector
     }
 
-    /// The pdf's integral over each bin, and what is missing from 1 as the last one.
+    /// The outcome of one sample.
+    fn outcome(&self, sampled: Option<&Sampled>) -> usize {
+        match sampled {
+            None => REJECTED,
+            Some(s) if s.is_dirac => DIRAC,
+            Some(s) => self.index(&s.direction),
+        }
+    }
+
+    /// The pdf's integral over each bin, what is missing from 1, and the Dirac part.
     fn shares(&self, model: &dyn Brdf, sampler: &dyn Sampler) -> Vec<f64> {
         let accuracy = Accuracy {
-            tolerance: 1e-8,
+            tolerance: 1e-7,
             outer_panels: 60,
             inner_panels: 30,
         };
+        let density = |l: &Direction| {
+            if l.z > 0.0 { sampler.pdf(l) / l.z } else { 0.0 }
+        };
         let mut shares = Vec::new();
-        for ring in 0..RINGS {
-            let low = if ring == 0 { 0.0 } else { self.edges[ring - 1] };
-            let high = self.edges.get(ring).copied().unwrap_or(f64::INFINITY);
-            for sector in 0..SECTORS {
-                let width = TAU / SECTORS as f64;
-                let from = width * sector as f64 - PI;
-                let density = |l: &Direction| {
-                    if l.z > 0.0 { sampler.pdf(l) / l.z } else { 0.0 }
-                };
+        for (ring, ends) in self.sectors.iter().enumerate() {
+            let low = if ring == 0 {
+                0.0
+            } else {
+                self.rings.get(ring - 1).copied().unwrap_or(0.0)
+            };
+            let high = self.rings.get(ring).copied().unwrap_or(f64::INFINITY);
+            for sector in ends.windows(2) {
                 let e = chart_cell(
                     &self.v,
                     &self.chart,
                     (low, high),
-                    (from, from + width),
+                    (sector[0], sector[1]),
                     accuracy,
                     &|l, out| model.creases(&self.v, l, out),
                     &density,
@@ -91,10 +137,33 @@ impl Bins {
                 shares.push(e.value);
             }
         }
-        let total: f64 = shares.iter().sum();
+        let total = shares.iter().sum::<f64>() + sampler.dirac();
         assert!(total <= 1.0 + 1e-5, "the density's integral is {total}");
         shares.push((1.0 - total).max(0.0));
+        shares.push(sampler.dirac());
         shares
+    }
+}
+
+/// A weight must be f cosΘ over the density, or the Dirac part's weight over its probability.
+fn check_weight(
+    model: &dyn Brdf,
+    sampler: &dyn Sampler,
+    v: &Direction,
+    delta: [f64; 3],
+    s: &Sampled,
+) {
+    let expected = if s.is_dirac {
+        delta.map(|w| w / sampler.dirac())
+    } else {
+        let pdf = sampler.pdf(&s.direction);
+        model.reflect(&s.direction, v).map(|r| r / pdf)
+    };
+    for (a, b) in s.weight.iter().zip(expected) {
+        assert!(
+            (a - b).abs() <= 1e-7 * b.abs(),
+            "weight {a}, not {b}: {s:?}"
+        );
     }
 }
 
@@ -126,26 +195,29 @@ fn chi_square(counts: &[usize], shares: &[f64]) -> f64 {
         // Samples where the density is (almost) 0.
         return 0.0;
     }
+    if cells == 1 {
+        // One sure outcome; whatever else happened was caught above.
+        return 1.0;
+    }
     tail(chi2, f64::from(cells - 1))
 }
 
 fn run(model: &dyn Brdf, sampler: &dyn Sampler, v: Direction, seed: u64) -> Outcome {
     let mut random = Random::new(seed);
     let bins = Bins::new(sampler, v, chart_of(model, &v), &mut random);
-    let mut counts = vec![0usize; RINGS * SECTORS + 1];
+    let delta = model.delta_weight(&v);
+    let mut counts = vec![0usize; OUTCOMES];
     let (mut mean, mut square) = (0.0, 0.0);
     for i in 1..=SAMPLES {
-        let weight = match sampler.sample(&mut || random.uniform()) {
-            Some(s) => {
-                assert!(s.direction.z >= 0.0, "{:?}", s.direction);
-                counts[bins.index(&s.direction)] += 1;
-                luminance(s.weight)
+        let sampled = sampler.sample(&mut || random.uniform());
+        counts[bins.outcome(sampled.as_ref())] += 1;
+        let weight = sampled.map_or(0.0, |s| {
+            assert!(s.direction.z >= 0.0, "{:?}", s.direction);
+            if i % 64 == 0 {
+                check_weight(model, sampler, &v, delta, &s);
             }
-            None => {
-                counts[RINGS * SECTORS] += 1;
-                0.0
-            }
-        };
+            luminance(s.weight)
+        });
         let before = weight - mean;
         mean += before / i as f64;
         square += before * (weight - mean);
@@ -220,18 +292,31 @@ fn the_texts_samplers_are_all_here() {
     assert_eq!(
         names,
         [
+            "anisotropic_phong",
+            "anisotropic_sum",
             "generalised_lambert",
+            "lafortune",
             "lambert",
             "metal",
             "metal_half",
             "metallic_paint",
             "metallic_phong",
+            "mirror",
+            "mixed",
             "p_model",
             "patch",
             "patch_elliptic",
             "patch_exponential",
+            "patch_mixture",
+            "patch_p_norm",
+            "patch_plastic",
+            "patch_power",
+            "patch_profile",
             "patch_retro",
             "phong",
+            "plastic",
+            "plastic_fresnel",
+            "polished",
             "retro_phong",
             "tobler_exponential",
             "tobler_power",
@@ -243,16 +328,14 @@ fn the_texts_samplers_are_all_here() {
 fn the_printed_two_step_sampler_has_another_density() {
     let model = PatchExponential::new(4.0).unwrap();
     let v = Direction::from_degrees(85.0, 0.0);
-    let printed = Mixture::new(model, v, MixtureMethod::TwoStep);
-    let right = Mixture::new(model, v, MixtureMethod::Redraw);
+    let printed = TwoStep::new(model, v);
+    let right = Mixture::new(&model, Metric::EUCLIDEAN, model, v, MixtureMethod::Redraw);
     let mut random = Random::new(5);
     let bins = Bins::new(&right, v, chart_of(&model, &v), &mut random);
-    let mut counts = vec![0usize; RINGS * SECTORS + 1];
+    let mut counts = vec![0usize; OUTCOMES];
     for _ in 0..100_000 {
-        let s = printed
-            .sample(&mut || random.uniform())
-            .expect("never rejects");
-        counts[bins.index(&s.direction)] += 1;
+        let sampled = printed.sample(&mut || random.uniform());
+        counts[bins.outcome(sampled.as_ref())] += 1;
     }
     let (own, exact) = (bins.shares(&model, &printed), bins.shares(&model, &right));
     assert!(chi_square(&counts, &own) > 1e-3);
@@ -276,12 +359,10 @@ fn a_wrong_density_is_noticed() {
     );
     let mut random = Random::new(6);
     let bins = Bins::new(&a, v, chart_of(&model, &v), &mut random);
-    let mut counts = vec![0usize; RINGS * SECTORS + 1];
+    let mut counts = vec![0usize; OUTCOMES];
     for _ in 0..200_000 {
-        match a.sample(&mut || random.uniform()) {
-            Some(s) => counts[bins.index(&s.direction)] += 1,
-            None => counts[RINGS * SECTORS] += 1,
-        }
+        let sampled = a.sample(&mut || random.uniform());
+        counts[bins.outcome(sampled.as_ref())] += 1;
     }
     assert!(chi_square(&counts, &bins.shares(&model, &a)) > 1e-3);
     assert!(chi_square(&counts, &bins.shares(&model, &b)) < 1e-6);

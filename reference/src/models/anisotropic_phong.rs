@@ -6,6 +6,7 @@ use crate::geometry::{below_horizon, bounded_ratio, over_cos_theta_min};
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
 
 /// The weights of x, y and z (above 0, at most 100), exponent n (0 … 1e5) and p (0 … 1).
@@ -41,6 +42,13 @@ impl AnisotropicPhong {
             p: within("p", p, 0.0, 1.0)?,
             constant: super::phong::published_constant(exponent),
         })
+    }
+
+    /// Directions of the lobe, which is cosⁿ about the weighted R of V (3.4, as for
+    /// Phong's).
+    pub fn directions<'a>(&self, brdf: &'a dyn Brdf, v: Direction) -> PhongLobe<'a> {
+        let [x, y, z] = self.weights;
+        PhongLobe::weighted(brdf, [-x, -y, z], self.exponent, v)
     }
 
     fn lobe(&self, l: &Direction, v: &Direction) -> f64 {
@@ -106,7 +114,10 @@ pub const ENTRY: ModelEntry = ModelEntry {
             ),
         ]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let m = AnisotropicPhong::new([0.8, 1.0, 1.0], 20.0, 1.0).expect("in range");
+        visit(&m, &m.directions(&m, v));
+    }),
 };
 
 #[cfg(test)]

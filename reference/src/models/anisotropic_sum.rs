@@ -5,6 +5,7 @@ use crate::error::within;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::Chart;
+use crate::sampling::{Choice, Sampler};
 use crate::{Brdf, Direction, ParameterError};
 
 /// Σ wᵢ fᵢ of [`AnisotropicPhong`] lobes, each normalised by itself, with Σ wᵢ ≤ 1.
@@ -78,7 +79,15 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let wide = AnisotropicPhong::new([1.0; 3], 4.0, 1.0).expect("in range");
+        let narrow = AnisotropicPhong::new([0.9, 1.0, 1.0], 40.0, 1.0).expect("in range");
+        let m = AnisotropicSum::new(&[(0.4, wide), (0.6, narrow)]).expect("in range");
+        let parts: Vec<(f64, Box<dyn Sampler>)> = (m.terms.iter())
+            .map(|(w, f)| (*w, Box::new(f.directions(&m, v)) as Box<dyn Sampler>))
+            .collect();
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

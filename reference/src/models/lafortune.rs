@@ -6,6 +6,7 @@ use crate::models::EXPONENT_MAX;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{Choice, Cosine, PhongLobe, Sampler};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
 
@@ -126,7 +127,24 @@ pub const ENTRY: ModelEntry = ModelEntry {
             ),
         ]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let lobe = LafortuneLobe {
+            weights: [-1.02, -0.9, 0.8],
+            exponent: 12.0,
+        };
+        let retro = LafortuneLobe {
+            weights: [0.7, 0.7, 0.7],
+            exponent: 5.0,
+        };
+        let m = Lafortune::new(0.2, &[lobe, retro]).expect("in range");
+        let mut parts: Vec<(f64, Box<dyn Sampler>)> =
+            vec![(m.diffuse, Box::new(Cosine::new(&m, v)))];
+        for lobe in &m.lobes {
+            let directions = PhongLobe::weighted(&m, lobe.weights, lobe.exponent, v);
+            parts.push((0.4, Box::new(directions)));
+        }
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::patch_exponential::PatchExponential;
 use crate::brdf::luminance;
 use crate::fresnel::Index;
+use crate::models::Metric;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, gold};
 use crate::quadrature::Chart;
@@ -85,8 +86,8 @@ pub const ENTRY: ModelEntry = ModelEntry {
     sampler: Some(|v, visit| {
         let m = MetallicPaint::new(12.0, gold()).expect("in range");
         let shape = PatchExponential::new(12.0).expect("in range");
-        let directions = Box::new(Mixture::new(shape, v, MixtureMethod::Redraw));
-        visit(&m, &Weighted::new(&m, v, directions));
+        let mixture = Mixture::new(&shape, Metric::EUCLIDEAN, shape, v, MixtureMethod::Redraw);
+        visit(&m, &Weighted::new(&m, v, Box::new(mixture)));
     }),
 };
 

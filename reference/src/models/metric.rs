@@ -2,6 +2,7 @@
 
 use crate::error::{above, within};
 use crate::{Direction, ParameterError};
+use std::f64::consts::PI;
 
 /// The shape of the unit ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,6 +67,31 @@ impl Metric {
             Norm::Elliptic { ratio } => ratio == 1.0,
             Norm::Power { ratio, p } => ratio == 1.0 && p == 2.0,
         }
+    }
+
+    /// The area of the unit ball (4.36; for the p-norm by the gamma function).
+    pub fn unit_area(&self) -> f64 {
+        let (a, b) = self.unit_axes();
+        match self.norm {
+            Norm::Euclidean | Norm::Elliptic { .. } => PI * a * b,
+            Norm::Power { p, .. } => {
+                let gamma = libm::tgamma(1.0 + 1.0 / p);
+                4.0 * a * b * gamma * gamma / libm::tgamma(1.0 + 2.0 / p)
+            }
+        }
+    }
+
+    /// How far the unit ball reaches along x and along y.
+    pub fn unit_axes(&self) -> (f64, f64) {
+        match self.norm {
+            Norm::Euclidean => (1.0, 1.0),
+            Norm::Elliptic { ratio } | Norm::Power { ratio, .. } => (1.0 / ratio, 1.0),
+        }
+    }
+
+    /// Whether the balls are circles or ellipses.
+    pub fn is_round(&self) -> bool {
+        !matches!(self.norm, Norm::Power { .. })
     }
 
     /// The norm of a vector in the base plane.

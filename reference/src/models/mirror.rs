@@ -3,6 +3,7 @@
 use crate::fresnel::Index;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, gold};
+use crate::sampling::Specular;
 use crate::{Brdf, Direction};
 
 /// A smooth surface: radiance from R is reflected with the weight F(Θ), nothing else is.
@@ -64,7 +65,10 @@ pub const ENTRY: ModelEntry = ModelEntry {
             example("ideal", Mirror::ideal(), Conserves),
         ]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let m = Mirror::new(gold());
+        visit(&m, &Specular::new(&m, v));
+    }),
 };
 
 #[cfg(test)]

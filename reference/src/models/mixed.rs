@@ -6,6 +6,7 @@ use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::models::{Energy, Lambert, MetallicPhong};
 use crate::quadrature::Chart;
+use crate::sampling::{Choice, Cosine, PhongLobe, Sampler};
 use crate::{Brdf, Direction, ParameterError};
 
 /// Any number of models with weights.
@@ -113,7 +114,23 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let lobe = || MetallicPhong::new(20.0, Energy::Published).expect("in range");
+        let m = Mixed::new(vec![
+            (
+                0.5,
+                Box::new(Lambert::grey(1.0).expect("in range")) as Box<dyn Brdf>,
+            ),
+            (0.5, Box::new(lobe())),
+        ])
+        .expect("in range");
+        let part = lobe();
+        let parts: Vec<(f64, Box<dyn Sampler>)> = vec![
+            (0.5, Box::new(Cosine::new(&m, v))),
+            (0.5, Box::new(PhongLobe::new(&part, 20.0, v))),
+        ];
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

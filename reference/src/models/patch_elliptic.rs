@@ -6,7 +6,7 @@ use crate::geometry::below_horizon;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
-use crate::sampling::Elliptic;
+use crate::sampling::MetricPatch;
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -39,6 +39,11 @@ impl PatchElliptic {
     /// The half axis b along y.
     pub fn b(&self) -> f64 {
         self.b
+    }
+
+    /// The metric whose ball of radius b the patch is.
+    pub fn metric(&self) -> Metric {
+        self.metric
     }
 
     /// The half axis along x.
@@ -106,7 +111,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
     },
     sampler: Some(|v, visit| {
         let m = PatchElliptic::new(0.4, 0.5).expect("in range");
-        visit(&m, &Elliptic::new(m, v));
+        visit(&m, &MetricPatch::new(&m, m.metric(), m.b(), v));
     }),
 };
 

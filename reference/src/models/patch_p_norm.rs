@@ -6,6 +6,7 @@ use crate::geometry::below_horizon;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind, Estimate, adaptive};
+use crate::sampling::MetricPatch;
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -89,7 +90,12 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        for (ratio, p) in [(0.7, 4.0), (0.4, 1.0)] {
+            let m = PatchPNorm::new(0.5, ratio, p).expect("in range");
+            visit(&m, &MetricPatch::new(&m, m.metric, m.radius, v));
+        }
+    }),
 };
 
 #[cfg(test)]

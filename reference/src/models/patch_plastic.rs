@@ -6,9 +6,11 @@ use crate::brdf::luminance;
 use crate::error::channels_within;
 use crate::fresnel::Index;
 use crate::geometry::below_horizon;
+use crate::models::Metric;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, index};
 use crate::quadrature::Chart;
+use crate::sampling::{Choice, Cosine, Mixture, MixtureMethod, Sampler};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
 
@@ -73,7 +75,23 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let glass = index(1.5, 0.0);
+        let m = PatchPlastic::new([0.5, 0.3, 0.1], 30.0, glass).expect("in range");
+        let highlight = Mixture::new(
+            &m.shape,
+            Metric::EUCLIDEAN,
+            m.shape,
+            v,
+            MixtureMethod::Redraw,
+        );
+        let body = luminance(m.albedo);
+        let parts: Vec<(f64, Box<dyn Sampler>)> = vec![
+            (body, Box::new(Cosine::new(&m, v))),
+            ((1.0 - body) * glass.reflectance(v.z), Box::new(highlight)),
+        ];
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

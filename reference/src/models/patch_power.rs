@@ -2,9 +2,11 @@
 
 use crate::error::within;
 use crate::geometry::{below_horizon, metric_squared};
+use crate::models::Metric;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{Mixture, MixtureMethod, ProfileRadii};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::TAU;
 
@@ -76,7 +78,14 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let m = PatchPower::new(12.0).expect("in range");
+        for method in [MixtureMethod::Redraw, MixtureMethod::Roulette] {
+            let profile = |x: f64| (1.0 - x).max(0.0).powf(m.exponent);
+            let radii = ProfileRadii::new(Metric::EUCLIDEAN, profile, m.constant);
+            visit(&m, &Mixture::new(&m, Metric::EUCLIDEAN, radii, v, method));
+        }
+    }),
 };
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use crate::geometry::below_horizon;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind, Estimate, adaptive};
+use crate::sampling::{Cosine, Mixture, MixtureMethod, ProfileRadii, Sampler};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -91,6 +92,16 @@ impl<F: Fn(f64) -> f64> PatchProfile<F> {
         4.0 * quarter.value
     }
 
+    /// ξ(m) at m of 0 … 2, without C.
+    pub fn profile(&self, m: f64) -> f64 {
+        (self.profile)(m)
+    }
+
+    /// The metric that m is measured in.
+    pub fn metric(&self) -> Metric {
+        self.metric
+    }
+
     /// C_max (4.42, 4.43).
     pub fn constant(&self) -> f64 {
         self.constant
@@ -141,6 +152,20 @@ impl<F: Fn(f64) -> f64> Brdf for PatchProfile<F> {
     }
 }
 
+/// Both samplers of a profile that nowhere increases.
+fn mixtures(
+    profile: impl Fn(f64) -> f64,
+    metric: Metric,
+    v: Direction,
+    visit: &mut dyn FnMut(&dyn Brdf, &dyn Sampler),
+) {
+    let m = PatchProfile::new(profile, metric).expect("a profile");
+    for method in [MixtureMethod::Redraw, MixtureMethod::Roulette] {
+        let radii = ProfileRadii::of(&m).expect("it nowhere increases");
+        visit(&m, &Mixture::new(&m, metric, radii, v, method));
+    }
+}
+
 /// Its place in the list of models.
 pub const ENTRY: ModelEntry = ModelEntry {
     name: "patch_profile",
@@ -164,7 +189,20 @@ pub const ENTRY: ModelEntry = ModelEntry {
             ),
         ]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let heavy = |m: f64| 1.0 / (1.0 + 30.0 * m * m);
+        let step = |m: f64| if m < 0.4 { 1.0 } else { 0.1 };
+        let sharp = |m: f64| (-6.0 * m).exp();
+        let elliptic = Metric::elliptic(0.5).expect("in range");
+        let power = Metric::power(0.7, 4.0).expect("in range").retro();
+        mixtures(heavy, Metric::EUCLIDEAN, v, visit);
+        mixtures(step, Metric::EUCLIDEAN, v, visit);
+        mixtures(sharp, elliptic, v, visit);
+        mixtures(sharp, power, v, visit);
+        // No mixture: p(R) is negative.
+        let rising = PatchProfile::new(|m: f64| 1.0 + m, Metric::EUCLIDEAN).expect("a profile");
+        visit(&rising, &Cosine::new(&rising, v));
+    }),
 };
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::models::entry::{ModelEntry, example};
 use crate::models::phong::published_constant;
 use crate::models::{EXPONENT_MAX, Energy, PModel};
 use crate::quadrature::{Chart, ChartKind};
+use crate::sampling::{Choice, Cosine, PhongLobe, Sampler};
 use crate::{Brdf, Direction, ParameterError, brdf::luminance};
 use std::f64::consts::FRAC_1_PI;
 
@@ -138,7 +139,17 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let m = Plastic::white_highlight([0.6, 0.3, 0.1], 0.3, 50.0).expect("in range");
+        let parts: Vec<(f64, Box<dyn Sampler>)> = vec![
+            (luminance(m.albedo), Box::new(Cosine::new(&m, v))),
+            (
+                luminance(m.specular),
+                Box::new(PhongLobe::new(&m, m.exponent, v)),
+            ),
+        ];
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

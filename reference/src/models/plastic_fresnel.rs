@@ -8,6 +8,7 @@ use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, index};
 use crate::models::{Energy, PModel};
 use crate::quadrature::Chart;
+use crate::sampling::{Choice, Cosine, PhongLobe, Sampler};
 use crate::{Brdf, Direction, ParameterError};
 use std::f64::consts::FRAC_1_PI;
 
@@ -96,7 +97,18 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let m = PlasticFresnel::new([0.3; 3], 0.7, 50.0, index(1.5, 0.0)).expect("in range");
+        let highlight = m.specular * m.index.reflectance(v.z);
+        let parts: Vec<(f64, Box<dyn Sampler>)> = vec![
+            (luminance(m.albedo), Box::new(Cosine::new(&m, v))),
+            (
+                highlight,
+                Box::new(PhongLobe::new(&m, m.shape.exponent(), v)),
+            ),
+        ];
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

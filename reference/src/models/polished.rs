@@ -8,6 +8,7 @@ use crate::models::Patch;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Accuracy, Chart};
+use crate::sampling::{Choice, PatchDisc, PatchMethod, Sampler, Specular};
 use crate::{Brdf, Direction};
 
 /// A model with a Dirac part of weight (1 − a(L)) F, each channel by itself.
@@ -90,7 +91,16 @@ pub const ENTRY: ModelEntry = ModelEntry {
             Conserves,
         )]
     },
-    sampler: None,
+    sampler: Some(|v, visit| {
+        let base = Patch::new(1.0).expect("in range");
+        let m = Polished::new(base, None);
+        let a = base.exact_albedo(v.z);
+        let parts: Vec<(f64, Box<dyn Sampler>)> = vec![
+            (a, Box::new(PatchDisc::new(1.0, v, PatchMethod::Rejection))),
+            (1.0 - a, Box::new(Specular::new(&m, v))),
+        ];
+        visit(&m, &Choice::new(&m, v, parts));
+    }),
 };
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ impl Sampler for Cosine<'_> {
         let (x, y) = disc(1.0, random);
         let direction = lifted(x, y);
         let weight = self.brdf.eval_rgb(&direction, &self.v).map(|f| PI * f);
-        Some(Sampled { direction, weight })
+        Some(Sampled::spread(direction, weight))
     }
 
     fn pdf(&self, l: &Direction) -> f64 {

@@ -75,18 +75,12 @@ impl Sampler for PatchDisc {
         match self.method {
             PatchMethod::Rejection => loop {
                 if let Some(direction) = self.attempt(random) {
-                    return Some(Sampled {
-                        direction,
-                        weight: [self.albedo(); 3],
-                    });
+                    return Some(Sampled::spread(direction, [self.albedo(); 3]));
                 }
             },
             PatchMethod::Roulette => {
                 let direction = self.attempt(random)?;
-                Some(Sampled {
-                    direction,
-                    weight: [1.0; 3],
-                })
+                Some(Sampled::spread(direction, [1.0; 3]))
             }
         }
     }

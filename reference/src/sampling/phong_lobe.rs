@@ -1,11 +1,11 @@
 //! Sampling of Phong's lobe (3.19 to 3.26).
 
 use super::{Sampled, Sampler};
-use crate::geometry::{power_lobe, retro_versine, versine};
+use crate::geometry::{power_lobe, retro_versine};
 use crate::{Brdf, Direction};
 use std::f64::consts::TAU;
 
-/// Directions with the density (n + 1)/2π cosⁿα about R of V (or about V itself).
+/// Directions with the density (n + 1)/2π cosⁿα about R of V, V itself or a weighted V.
 ///
 /// What falls below the horizon is rejected: half of the lobe at 90°. The weight of a
 /// metallic Phong sample is (n + 2)/(n + 1) · cosΘL/max(cosΘL, cosΘV) (3.26).
@@ -13,27 +13,34 @@ pub struct PhongLobe<'a> {
     brdf: &'a dyn Brdf,
     v: Direction,
     exponent: f64,
-    retro: bool,
+    axis: Direction,
 }
 
 impl<'a> PhongLobe<'a> {
     /// For a model whose lobe is cosⁿα about R of V.
     pub fn new(brdf: &'a dyn Brdf, exponent: f64, v: Direction) -> Self {
-        Self {
-            brdf,
-            v,
-            exponent,
-            retro: false,
-        }
+        Self::about(brdf, exponent, v, v.mirrored())
     }
 
     /// For a retro-reflective model, about V.
     pub fn retro(brdf: &'a dyn Brdf, exponent: f64, v: Direction) -> Self {
+        Self::about(brdf, exponent, v, v)
+    }
+
+    /// For a lobe [(wx LxVx + wy LyVy + wz LzVz)⁺]ⁿ (1.66, 3.14): it is cosⁿ of the angle
+    /// to (wx Vx, wy Vy, wz Vz), as high as that vector is long.
+    pub fn weighted(brdf: &'a dyn Brdf, weights: [f64; 3], exponent: f64, v: Direction) -> Self {
+        let [x, y, z] = weights;
+        let axis = Direction::new(x * v.x, y * v.y, z * v.z).normalised();
+        Self::about(brdf, exponent, v, axis)
+    }
+
+    fn about(brdf: &'a dyn Brdf, exponent: f64, v: Direction, axis: Direction) -> Self {
         Self {
             brdf,
             v,
             exponent,
-            retro: true,
+            axis,
         }
     }
 
@@ -43,12 +50,7 @@ impl<'a> PhongLobe<'a> {
         let x = -((1.0 - random()).ln() / (self.exponent + 1.0)).exp_m1();
         let sine = (x * (2.0 - x)).max(0.0).sqrt();
         let phi = TAU * random();
-        let axis = if self.retro {
-            self.v
-        } else {
-            self.v.mirrored()
-        };
-        around(axis, x, sine, phi)
+        around(self.axis, x, sine, phi)
     }
 }
 
@@ -80,18 +82,14 @@ impl Sampler for PhongLobe<'_> {
         let pdf = self.pdf(&direction);
         let reflect = self.brdf.reflect(&direction, &self.v);
         let weight = reflect.map(|r| if r == 0.0 { 0.0 } else { r / pdf });
-        Some(Sampled { direction, weight })
+        Some(Sampled::spread(direction, weight))
     }
 
     fn pdf(&self, l: &Direction) -> f64 {
         if l.z < 0.0 {
             return 0.0;
         }
-        let x = if self.retro {
-            retro_versine(l, &self.v)
-        } else {
-            versine(l, &self.v)
-        };
+        let x = retro_versine(l, &self.axis);
         (self.exponent + 1.0) / TAU * power_lobe(self.exponent, x)
     }
 }
@@ -99,6 +97,7 @@ impl Sampler for PhongLobe<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::versine;
     use crate::models::{Energy, MetallicPhong};
     use crate::sampling::Random;
 

@@ -49,10 +49,7 @@ impl Sampler for ToblerLobe {
         let sine = (m * (2.0 - m)).max(0.0).sqrt();
         let doubled = around(axis, m, sine, TAU * random());
         let direction = Direction::new(doubled.x, doubled.y, doubled.z + 1.0).normalised();
-        Some(Sampled {
-            direction,
-            weight: [1.0; 3],
-        })
+        Some(Sampled::spread(direction, [1.0; 3]))
     }
 
     fn pdf(&self, l: &Direction) -> f64 {

@@ -1,8 +1,11 @@
 //! Variance and cost of the ways to sample, measured.
 
-use super::{Cosine, Mixture, MixtureMethod, PatchDisc, PatchMethod, Random, Sampler};
+use super::{
+    Choice, Cosine, DensityRadii, MetricPatch, Mixture, MixtureMethod, PatchDisc, PatchMethod,
+    ProfileRadii, Random, Sampler, Specular, TwoStep,
+};
 use crate::Direction;
-use crate::models::{Patch, PatchExponential};
+use crate::models::{Metric, Patch, PatchElliptic, PatchExponential, PatchMixture, PatchProfile};
 
 /// Mean and variance of one sample's contribution, and what it costs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,109 +50,168 @@ pub fn efficiency(
     }
 }
 
-/// A row of the table: what was sampled, how, under which light, and the result.
-pub type VarianceRow = (String, &'static str, &'static str, Efficiency);
+/// A row of the table: what was sampled, how, and the result under each light.
+pub struct VarianceRow {
+    /// The model and the angle of V.
+    pub model: String,
+    /// The way of sampling.
+    pub way: &'static str,
+    /// Under uniform light, radiance 1.
+    pub uniform: Efficiency,
+    /// Under a lamp, cos⁸ about 50° from the normal.
+    pub lamp: Efficiency,
+}
 
-/// Radiance from each direction.
-type Radiance = Box<dyn Fn(&Direction) -> f64>;
-
-/// The ways to sample a basic patch and an exponential mixture, under uniform light and
-/// under a lamp (cos⁸ about 50° from the normal), `samples` samples each.
+/// The ways to sample each kind of patch model, `samples` samples each.
 pub fn variance_table(samples: u32) -> Vec<VarianceRow> {
-    let lamp = Direction::from_degrees(50.0, 180.0);
-    let lights: [(&'static str, Radiance); 2] = [
-        ("uniform", Box::new(|_| 1.0)),
-        ("lamp", Box::new(move |l| l.dot(lamp).max(0.0).powi(8))),
-    ];
-    let mut rows = Vec::new();
+    let round = Metric::EUCLIDEAN;
+    let patch = Patch::new(0.5).expect("in range");
+    let elliptic = PatchElliptic::new(0.4, 0.5).expect("in range");
+    let exponential = PatchExponential::new(4.0).expect("in range");
+    let density = PatchMixture::new(|r: f64| 0.375 * r * (2.0 - r), 0.2, 0.3).expect("in range");
+    let profile = PatchProfile::new(|m: f64| 1.0 / (1.0 + 30.0 * m * m), round).expect("in range");
+    let profile_radii = || ProfileRadii::of(&profile).expect("it nowhere increases");
+    let (redraw, roulette) = (MixtureMethod::Redraw, MixtureMethod::Roulette);
+
+    let mut rows = Rows {
+        samples,
+        rows: Vec::new(),
+    };
     for degrees in [30.0, 80.0] {
         let v = Direction::from_degrees(degrees, 0.0);
-        let patch = Patch::new(0.5).expect("radius in range");
-        let mixture = PatchExponential::new(4.0).expect("sharpness in range");
-        let samplers: Vec<(&str, &'static str, Box<dyn Sampler + '_>)> = vec![
-            (
-                "patch R = 0.5",
-                "rejection",
-                Box::new(PatchDisc::new(0.5, v, PatchMethod::Rejection)),
-            ),
-            (
-                "patch R = 0.5",
-                "roulette",
-                Box::new(PatchDisc::new(0.5, v, PatchMethod::Roulette)),
-            ),
-            ("patch R = 0.5", "cosine", Box::new(Cosine::new(&patch, v))),
-            (
-                "mixture s = 4",
-                "redraw",
-                Box::new(Mixture::new(mixture, v, MixtureMethod::Redraw)),
-            ),
-            (
-                "mixture s = 4",
-                "two-step",
-                Box::new(Mixture::new(mixture, v, MixtureMethod::TwoStep)),
-            ),
-            (
-                "mixture s = 4",
-                "roulette",
-                Box::new(Mixture::new(mixture, v, MixtureMethod::Roulette)),
-            ),
-            (
-                "mixture s = 4",
-                "cosine",
-                Box::new(Cosine::new(&mixture, v)),
-            ),
+        let mixed = |method| Mixture::new(&exponential, round, exponential, v, method);
+        let by_density =
+            |method| Mixture::new(&density, round, DensityRadii::new(&density), v, method);
+        let by_profile = |method| Mixture::new(&profile, round, profile_radii(), v, method);
+        let mut add = |model: &str, way, sampler: &dyn Sampler| {
+            rows.add(format!("{model}, {degrees}°"), way, sampler);
+        };
+
+        let model = "patch R = 0.5";
+        add(
+            model,
+            "redraw",
+            &PatchDisc::new(0.5, v, PatchMethod::Rejection),
+        );
+        add(
+            model,
+            "roulette",
+            &PatchDisc::new(0.5, v, PatchMethod::Roulette),
+        );
+        add(model, "cosine", &Cosine::new(&patch, v));
+
+        let model = "ellipse b = 0.4, B/A = 0.5";
+        add(
+            model,
+            "redraw",
+            &MetricPatch::new(&elliptic, elliptic.metric(), elliptic.b(), v),
+        );
+        add(model, "cosine", &Cosine::new(&elliptic, v));
+
+        let model = "exponential s = 4";
+        add(model, "redraw", &mixed(redraw));
+        add(model, "two-step", &TwoStep::new(exponential, v));
+        add(model, "roulette", &mixed(roulette));
+        add(model, "cosine", &Cosine::new(&exponential, v));
+
+        let model = "p = 0.375 R(2 − R), mirror 0.2, Lambert 0.3";
+        add(model, "redraw", &by_density(redraw));
+        add(model, "roulette", &by_density(roulette));
+        let mirror: Vec<(f64, Box<dyn Sampler>)> = vec![
+            (0.8, Box::new(Cosine::new(&density, v))),
+            (0.2, Box::new(Specular::new(&density, v))),
         ];
-        for (i, (model, way, sampler)) in samplers.iter().enumerate() {
-            for (light, radiance) in &lights {
-                let e = efficiency(sampler.as_ref(), radiance, samples, 1000 + i as u64);
-                rows.push((format!("{model}, {degrees}°"), *way, *light, e));
-            }
-        }
+        add(
+            model,
+            "cosine and mirror",
+            &Choice::new(&density, v, mirror),
+        );
+
+        let model = "ξ = 1/(1 + 30m²)";
+        add(model, "redraw", &by_profile(redraw));
+        add(model, "roulette", &by_profile(roulette));
+        add(model, "cosine", &Cosine::new(&profile, v));
     }
-    rows
+    rows.rows
+}
+
+struct Rows {
+    samples: u32,
+    rows: Vec<VarianceRow>,
+}
+
+impl Rows {
+    fn add(&mut self, model: String, way: &'static str, sampler: &dyn Sampler) {
+        let lamp = Direction::from_degrees(50.0, 180.0);
+        let seed = 1000 + self.rows.len() as u64;
+        let measure =
+            |light: &dyn Fn(&Direction) -> f64| efficiency(sampler, light, self.samples, seed);
+        let row = VarianceRow {
+            model,
+            way,
+            uniform: measure(&|_| 1.0),
+            lamp: measure(&|l| l.dot(lamp).max(0.0).powi(8)),
+        };
+        self.rows.push(row);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn find<'a>(rows: &'a [VarianceRow], model: &str, way: &str, light: &str) -> &'a Efficiency {
-        let row = rows
-            .iter()
-            .find(|r| r.0 == model && r.1 == way && r.2 == light);
-        &row.expect("a row of the table").3
-    }
+    use crate::albedo::directional_albedo_for;
+    use crate::quadrature::Accuracy;
 
     #[test]
     fn corrected_patch_sampling_has_constant_weights() {
         let rows = variance_table(20_000);
-        for degrees in ["30°", "80°"] {
-            for (model, way) in [("patch R = 0.5", "rejection"), ("mixture s = 4", "redraw")] {
-                let model = format!("{model}, {degrees}");
-                let e = find(&rows, &model, way, "uniform");
-                assert_eq!(e.variance, 0.0, "{model}");
-                let lamp = find(&rows, &model, way, "lamp");
-                let cosine = find(&rows, &model, "cosine", "lamp");
+        let mut redrawn = 0;
+        for row in rows.iter().filter(|r| r.way == "redraw") {
+            redrawn += 1;
+            assert_eq!(row.uniform.variance, 0.0, "{}", row.model);
+            let cosine = (rows.iter())
+                .find(|r| r.model == row.model && r.way.starts_with("cosine"))
+                .expect("a row for the cosine");
+            let (own, other) = (row.lamp.product(), cosine.lamp.product());
+            assert!(own < other, "{}: {own} {other}", row.model);
+        }
+        assert_eq!(redrawn, 10);
+        let way = |name: &'static str| rows.iter().filter(move |r| r.way == name);
+        for row in way("two-step") {
+            assert!(row.uniform.variance > 1e-4, "{}", row.model);
+        }
+        for row in way("roulette") {
+            // Weights are 0 or 1.
+            let e = row.uniform;
+            let bernoulli = e.mean * (1.0 - e.mean);
+            assert!((e.variance - bernoulli).abs() < 1e-12, "{}", row.model);
+        }
+    }
+
+    #[test]
+    fn all_ways_have_the_same_mean() {
+        // The weights of "redraw" are an albedo by quadrature: roulette and the cosine, whose
+        // weights are not, must agree with it.
+        let rows = variance_table(20_000);
+        for row in &rows {
+            let own = (rows.iter())
+                .find(|r| r.model == row.model && r.way == "redraw")
+                .expect("a row for redrawing");
+            for (a, b) in [(row.uniform, own.uniform), (row.lamp, own.lamp)] {
+                let error = ((a.variance + b.variance) / 20_000.0).sqrt();
                 assert!(
-                    lamp.product() < cosine.product(),
-                    "{model}: {lamp:?} {cosine:?}"
+                    (a.mean - b.mean).abs() < 4.0 * error + 1e-9,
+                    "{}, {}: {} {}",
+                    row.model,
+                    row.way,
+                    a.mean,
+                    b.mean
                 );
             }
-            let printed = find(
-                &rows,
-                &format!("mixture s = 4, {degrees}"),
-                "two-step",
-                "uniform",
-            );
-            assert!(printed.variance > 1e-4, "{printed:?}");
-            let roulette = find(
-                &rows,
-                &format!("mixture s = 4, {degrees}"),
-                "roulette",
-                "uniform",
-            );
-            let bernoulli = roulette.mean * (1.0 - roulette.mean);
-            assert!((roulette.variance - bernoulli).abs() < 1e-12);
         }
+        let v = Direction::from_degrees(30.0, 0.0);
+        let patch = Patch::new(0.5).unwrap();
+        let a = directional_albedo_for(&patch, &v, Accuracy::FINE).value;
+        assert!((rows[0].uniform.mean - a).abs() < 1e-9);
     }
 }

@@ -11,7 +11,7 @@ pub struct Weighted<'a> {
 }
 
 impl<'a> Weighted<'a> {
-    /// `directions` must reach wherever the model is not 0.
+    /// `directions` must reach wherever the model is not 0, and have no Dirac part.
     pub fn new(brdf: &'a dyn Brdf, v: Direction, directions: Box<dyn Sampler + 'a>) -> Self {
         Self {
             brdf,
@@ -27,7 +27,7 @@ impl Sampler for Weighted<'_> {
         let pdf = self.directions.pdf(&direction);
         let reflect = self.brdf.reflect(&direction, &self.v);
         let weight = reflect.map(|r| if r == 0.0 { 0.0 } else { r / pdf });
-        Some(Sampled { direction, weight })
+        Some(Sampled::spread(direction, weight))
     }
 
     fn pdf(&self, l: &Direction) -> f64 {
