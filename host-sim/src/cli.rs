@@ -70,6 +70,15 @@ pub enum Command {
         microbrdf plot --figure all --out figures"
     )]
     Plot(Plot),
+    /// Draws the test card: values and errors where no scene shows them.
+    #[command(
+        after_help = "Pixels are pairs of directions: across, how far V lies from the mirror \
+        direction; down, the larger cosine, from 1 to 1e-8; a band for each of several exponents, \
+        radii and sharpnesses. Errors are arithmetic errors of the 8-bit sRGB code. Writes \
+        chart-ARITHMETIC.png for each arithmetic and prints each band's greatest error.\n\n\
+        Example: microbrdf chart --arithmetic f32,q31 --out charts"
+    )]
+    Chart(Chart),
     /// Computes every number that the papers print again, and prints both.
     #[command(
         after_help = "Columns: id, quantity, params, published, computed, verdict. Status 1 if a \
@@ -254,6 +263,20 @@ pub struct Plot {
     /// What --figure all writes, parted by commas.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "svg,png")]
     pub format: Vec<Format>,
+}
+
+/// `chart`.
+#[derive(Debug, Args)]
+pub struct Chart {
+    /// What to draw, several parted by commas [default: all].
+    #[arg(long, value_delimiter = ',')]
+    pub arithmetic: Vec<ArithmeticName>,
+    /// K, 1e-3 to 2e7: 1 puts a lobe's peak at full scale.
+    #[arg(long, default_value_t = 1.0)]
+    pub exposure: f64,
+    /// Folder for the pictures.
+    #[arg(long)]
+    pub out: PathBuf,
 }
 
 /// `tables`.

@@ -1,6 +1,7 @@
 //! The host simulator as a library: what the command `microbrdf` is made of.
 
 pub mod arithmetic;
+pub mod chart;
 pub mod cli;
 pub mod commands;
 mod directions;

@@ -2,6 +2,7 @@
 
 mod albedo;
 mod bake;
+mod chart;
 pub mod compare;
 mod device;
 mod eval;
@@ -30,6 +31,7 @@ pub fn run(command: &Command) -> Outcome<()> {
         Command::Device(arguments) => device::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Chart(arguments) => chart::run(arguments),
         Command::Tables(arguments) => tables::run(arguments),
     }
 }

@@ -5,6 +5,7 @@
 //! library of the system takes part.
 
 mod axis;
+mod card;
 mod cartesian;
 mod legend;
 mod pen;
@@ -17,6 +18,7 @@ use std::path::Path;
 use clap::ValueEnum;
 
 pub use axis::rounded_up;
+pub use card::card;
 pub use sheet::Sheet;
 
 use crate::exit::{Failure, Outcome};
