@@ -67,6 +67,12 @@ impl<A: HostArithmetic> Shipped<A> {
     /// Directional albedo at a cosine, per channel.
     pub fn albedo(&self, cosine: f64) -> [f64; 3] {
         let exact = reference::directional_albedo_rgb(&*self.exact, cosine);
+        let difference = self.difference(cosine);
+        [0, 1, 2].map(|channel| exact[channel].value + difference[channel])
+    }
+
+    /// The albedo less the reference's, at a cosine, per channel.
+    pub fn difference(&self, cosine: f64) -> [f64; 3] {
         let l = [(1.0 - cosine * cosine).max(0.0).sqrt(), 0.0, cosine];
         let mut difference = [0.0; 3];
         self.each_node(l, |v, weight| {
@@ -75,7 +81,7 @@ impl<A: HostArithmetic> Shipped<A> {
                 difference[channel] += weight * error[channel];
             }
         });
-        [0, 1, 2].map(|channel| exact[channel].value + difference[channel])
+        difference
     }
 
     /// Cosine-weighted mean of the directional albedo.
@@ -85,11 +91,8 @@ impl<A: HostArithmetic> Shipped<A> {
         for step in 0..MEAN_NODES {
             // Midpoints in cos²Θ: 2∫a cosΘ dcosΘ.
             let cosine = ((step as f64 + 0.5) / MEAN_NODES as f64).sqrt();
-            let shipped = self.albedo(cosine);
-            let smooth = reference::directional_albedo_rgb(&*self.exact, cosine);
-            for channel in 0..3 {
-                difference[channel] +=
-                    (shipped[channel] - smooth[channel].value) / MEAN_NODES as f64;
+            for (sum, part) in difference.iter_mut().zip(self.difference(cosine)) {
+                *sum += part / MEAN_NODES as f64;
             }
         }
         [0, 1, 2].map(|channel| exact[channel] + difference[channel])

@@ -5,6 +5,7 @@ pub mod arithmetic;
 pub mod curves;
 pub mod document;
 pub mod domain;
+pub mod energy;
 pub mod error;
 pub mod frame;
 pub mod planted;

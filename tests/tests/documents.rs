@@ -24,6 +24,17 @@ fn the_accuracy_table_is_the_table_of_tolerances() {
     assert_eq!(text, microbrdf_tests::document::accuracy());
 }
 
+/// Every figure of it, computed anew.
+#[test]
+fn the_energy_table_is_what_is_shipped() {
+    let text = fs::read_to_string(root().join("docs/energy.md")).expect("docs/energy.md");
+    let made = microbrdf_tests::energy::document();
+    for (written, made) in text.lines().zip(made.lines()) {
+        assert_eq!(written, made);
+    }
+    assert_eq!(text.lines().count(), made.lines().count());
+}
+
 #[test]
 fn the_readme_gives_the_demo_scenes_errors() {
     let readme = fs::read_to_string(root().join("README.md")).expect("README.md");

@@ -1,6 +1,13 @@
-//! Writes `docs/accuracy.md`.
+//! Writes `docs/accuracy.md` and `docs/energy.md`.
 
 fn main() -> std::io::Result<()> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/accuracy.md");
-    std::fs::write(path, microbrdf_tests::document::accuracy())
+    let folder = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs"));
+    std::fs::write(
+        folder.join("accuracy.md"),
+        microbrdf_tests::document::accuracy(),
+    )?;
+    std::fs::write(
+        folder.join("energy.md"),
+        microbrdf_tests::energy::document(),
+    )
 }
