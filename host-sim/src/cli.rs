@@ -112,7 +112,7 @@ pub struct Compare {
     /// Scene file.
     pub scene: PathBuf,
     /// What to compare with the reference, several parted by commas.
-    #[arg(long, value_delimiter = ',', default_value = "f32,q31")]
+    #[arg(long, value_delimiter = ',', default_value = "f32,micromath,q31,q15")]
     pub arithmetic: Vec<ArithmeticName>,
     /// Print JSON.
     #[arg(long)]

@@ -55,7 +55,7 @@ fn head<A: HostArithmetic>(code: &mut String, description: &Description) {
         "// Made by `microbrdf bake`; changes are lost.\n\
          use microbrdf::Rgb;\n\
          #[allow(unused_imports)]\n\
-         use microbrdf::arithmetic::{{Arithmetic, Gain31}};\n\
+         use microbrdf::arithmetic::{{Arithmetic, Gain15, Gain31}};\n\
          #[allow(unused_imports)]\n\
          use microbrdf::brdf::*;\n\
          #[allow(unused_imports)]\n\

@@ -28,11 +28,12 @@ pub fn accuracy() -> String {
     }
     text.push_str(
         "\nNo code is off by more than one but in the rows above 1.5 LSB: exposed at a peak above \
-         2e4 (n > 1e5, s > 350), `q31` shows the last of a share's 31 bits.\n",
+         2e4 (n > 1e5, s > 350), `q31` shows the last of a share's 31 bits and `q15` that of a \
+         table's 25.\n",
     );
     text.push_str(
         "\n## Fresnel curves\n\n\
-         Greatest error of a metal's tabulated reflectance, in either arithmetic, over every \
+         Greatest error of a metal's tabulated reflectance, in any arithmetic, over every \
          cosine of 16 bits; `tests/tests/tables.rs` fails when it is passed, and when it lies \
          more than a twentieth above what is found. Chromium stands for metals of low, glass \
          for dielectrics of no absorption: a bound for these six, not for all.\n\n\

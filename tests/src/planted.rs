@@ -151,15 +151,15 @@ pub const BUGS: &[Bug] = &[
     bug(
         "1 − x is formed",
         F32,
-        "libm::expf(n * libm::log1pf(-x))",
+        "M::exp(n * M::ln_one_minus(x))",
         "libm::powf(1.0 - x, *n)",
         &["accuracy"],
     ),
     bug(
         "e^(−n·x) for (1 − x)ⁿ",
         F32,
-        "libm::expf(n * libm::log1pf(-x))",
-        "libm::expf(-n * x)",
+        "M::exp(n * M::ln_one_minus(x))",
+        "M::exp(-n * x)",
         &["values"],
     ),
     bug(
@@ -262,9 +262,9 @@ pub const BUGS: &[Bug] = &[
     ),
     bug(
         "the ratio upside down",
-        Q31,
-        "        } else if l >= v {",
-        "        } else if l <= v {",
+        "core/src/brdf/foreshortening.rs",
+        "if n_dot_l >= n_dot_v && n_dot_l > A::COSINE_ZERO {",
+        "if n_dot_l <= n_dot_v && n_dot_l > A::COSINE_ZERO {",
         &["values"],
     ),
     bug(
@@ -303,6 +303,7 @@ pub const BUGS: &[Bug] = &[
         &["picture"],
     ),
     bug(
+<<<<<<< HEAD
         "a lobe is drawn as for n + 1",
         "core/src/sampling/phong.rs",
         "concentration: 1.0 / (n + 1.0)",
@@ -329,5 +330,40 @@ pub const BUGS: &[Bug] = &[
         "self.model.reflectance(larger::<A>(direction.z, v.z))",
         "self.model.reflectance(v.z)",
         &["sampling"],
+=======
+        "a scaled table is read one cell too far",
+        "core/src/table/scaled.rs",
+        "let cell = (position >> (32 - Self::CELL_BITS)) as usize;",
+        "let cell = (position >> (32 - Self::CELL_BITS)) as usize + 1;",
+        &["values"],
+    ),
+    bug(
+        "a scaled table is read where it ends",
+        "core/src/table/scaled.rs",
+        "if coordinate > self.limit {",
+        "if coordinate == u32::MAX {",
+        &["values"],
+    ),
+    bug(
+        "a ratio of cosines passes 1",
+        "core/src/table/reciprocal.rs",
+        "((a * reciprocal) >> (SCALE_BITS - 20)).min(1 << 20)",
+        "(a * reciprocal) >> (SCALE_BITS - 20)",
+        &["physics"],
+    ),
+    bug(
+        "exposed light wraps around (q15)",
+        "core/src/arithmetic/q15.rs",
+        "if product > gain.limit {",
+        "if product == u32::MAX {",
+        &["corners"],
+    ),
+    bug(
+        "a product loses its lower half (q15)",
+        "core/src/arithmetic/q15.rs",
+        "U1F31::from_bits(high.wrapping_add(low >> 12))",
+        "U1F31::from_bits(high)",
+        &["accuracy"],
+>>>>>>> 09abd66 (q15 and micromath: the models without long multiply or division, and with a short library)
     ),
 ];

@@ -56,6 +56,9 @@ use Exposure::{One, Peak};
 const ANY: [f64; 2] = [0.0, f64::INFINITY];
 /// Peaks up to that of n = 1e5.
 const MODERATE: [f64; 2] = [0.0, 2e4];
+/// Peaks up to that of n = 1.2e4, and from there to that of n = 1e5.
+const COMMON: [f64; 2] = [0.0, 2e3];
+const SHARP: [f64; 2] = [2e3, 2e4];
 /// Peaks beyond: exposed at their own, a share's last bit shows.
 const EXTREME: [f64; 2] = [2e4, f64::INFINITY];
 
@@ -99,6 +102,50 @@ pub const TABLE: &[Tolerance] = &[
     row("q31", "patch-exponential", Peak, EXTREME, 3.44, 0.53),
     row("q31", "metal", One, ANY, 0.53, 0.01),
     row("q31", "metal", Peak, ANY, 0.53, 0.01),
+    row("micromath", "lambert", One, ANY, 0.51, 0.01),
+    row("micromath", "lambert", Peak, ANY, 0.51, 0.01),
+    row("micromath", "phong", One, ANY, 0.71, 0.03),
+    row("micromath", "phong", Peak, ANY, 0.77, 0.06),
+    row("micromath", "metallic-phong", One, ANY, 0.69, 0.04),
+    row("micromath", "metallic-phong", Peak, ANY, 0.84, 0.05),
+    row("micromath", "retro-phong", One, ANY, 0.69, 0.04),
+    row("micromath", "retro-phong", Peak, ANY, 0.84, 0.05),
+    row("micromath", "plastic", One, ANY, 0.70, 0.03),
+    row("micromath", "plastic", Peak, ANY, 0.74, 0.03),
+    row("micromath", "patch", One, ANY, 0.51, 0.01),
+    row("micromath", "patch", Peak, ANY, 0.51, 0.01),
+    row("micromath", "patch-exponential", One, ANY, 0.63, 0.03),
+    row("micromath", "patch-exponential", Peak, ANY, 0.69, 0.03),
+    row("micromath", "metal", One, ANY, 0.70, 0.04),
+    row("micromath", "metal", Peak, ANY, 0.85, 0.05),
+    row("q15", "lambert", One, ANY, 0.51, 0.01),
+    row("q15", "lambert", Peak, ANY, 0.51, 0.01),
+    row("q15", "phong", One, ANY, 0.62, 0.04),
+    row("q15", "phong", Peak, COMMON, 0.77, 0.08),
+    row("q15", "phong", Peak, SHARP, 1.03, 0.10),
+    row("q15", "phong", Peak, EXTREME, 99.41, 0.24),
+    row("q15", "metallic-phong", One, ANY, 0.71, 0.08),
+    row("q15", "metallic-phong", Peak, COMMON, 0.65, 0.05),
+    row("q15", "metallic-phong", Peak, SHARP, 1.49, 0.32),
+    row("q15", "metallic-phong", Peak, EXTREME, 130.89, 0.12),
+    row("q15", "retro-phong", One, ANY, 0.71, 0.08),
+    row("q15", "retro-phong", Peak, COMMON, 0.65, 0.05),
+    row("q15", "retro-phong", Peak, SHARP, 1.49, 0.32),
+    row("q15", "retro-phong", Peak, EXTREME, 130.89, 0.12),
+    row("q15", "plastic", One, ANY, 0.73, 0.08),
+    row("q15", "plastic", Peak, COMMON, 0.66, 0.03),
+    row("q15", "plastic", Peak, SHARP, 1.04, 0.10),
+    row("q15", "plastic", Peak, EXTREME, 77.37, 0.16),
+    row("q15", "patch", One, ANY, 0.51, 0.01),
+    row("q15", "patch", Peak, COMMON, 0.51, 0.01),
+    row("q15", "patch", Peak, SHARP, 0.42, 0.01),
+    row("q15", "patch", Peak, EXTREME, 0.01, 0.01),
+    row("q15", "patch-exponential", One, ANY, 0.56, 0.02),
+    row("q15", "patch-exponential", Peak, COMMON, 0.67, 0.04),
+    row("q15", "patch-exponential", Peak, SHARP, 0.69, 0.05),
+    row("q15", "patch-exponential", Peak, EXTREME, 50.83, 0.31),
+    row("q15", "metal", One, ANY, 0.72, 0.09),
+    row("q15", "metal", Peak, ANY, 0.68, 0.05),
 ];
 
 /// The row for a model at a peak and an exposure.

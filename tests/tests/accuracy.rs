@@ -1,7 +1,7 @@
 //! Arithmetic error of every model in every arithmetic, against the table of
 //! tolerances.
 
-use microbrdf::arithmetic::{F32, Q31};
+use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
 use microbrdf_scene::HostArithmetic;
 use microbrdf_tests::domain::Set;
 use microbrdf_tests::error::Subject;
@@ -67,7 +67,9 @@ fn every_model_stays_within_its_tolerance_and_every_tolerance_is_tight() {
     let mut found = vec![Found::default(); TABLE.len()];
     let mut faults = Vec::new();
     measure::<F32>(&mut found, &mut faults);
+    measure::<Micromath>(&mut found, &mut faults);
     measure::<Q31>(&mut found, &mut faults);
+    measure::<Q15>(&mut found, &mut faults);
     for (row, found) in TABLE.iter().zip(&found) {
         println!("{row:?}: {found:?}");
         if !found.used {

@@ -2,7 +2,7 @@
 //! core. A change of any of them is a change of what devices show, and is
 //! made here on purpose.
 
-use microbrdf::arithmetic::{F32, Q31};
+use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
 use microbrdf_bits::{Sampled, checksums};
 
 /// Pairs for each model. A microcontroller's probe takes as many.
@@ -38,6 +38,16 @@ fn q31_gives_the_same_bits_everywhere() {
     compare::<Q31>(&Q31_SUMS);
 }
 
+#[test]
+fn micromath_gives_the_same_bits_everywhere() {
+    compare::<Micromath>(&MICROMATH_SUMS);
+}
+
+#[test]
+fn q15_gives_the_same_bits_everywhere() {
+    compare::<Q15>(&Q15_SUMS);
+}
+
 /// What fits into the RAM of the smallest board.
 #[test]
 fn q31_with_small_tables_gives_the_same_bits_everywhere() {
@@ -53,7 +63,7 @@ const F32_SUMS: [(&str, u64); 19] = [
     ("metallic-phong, n = 5e3", 0x88fe77a88c15aec6),
     ("metallic-phong, n = 1e8", 0x022688093f4bea0c),
     ("phong, n = 20", 0x4ae6ceb93610ce15),
-    ("phong, n = 20, p = 0.5", 0x50685225663df037),
+    ("phong, n = 20, p = 0.5", 0x3d77e94b5dbf424a),
     ("retro-phong, n = 20", 0x8f792e59e9f13390),
     ("patch, R = 0.3", 0x34e4a941a2a68e27),
     ("patch, R = 1.5", 0xd5661e3c84af87b3),
@@ -74,7 +84,7 @@ const Q31_SUMS: [(&str, u64); 19] = [
     ("metallic-phong, n = 5e3", 0x80783c3d120a1f2d),
     ("metallic-phong, n = 1e8", 0x0bf33dbadc1dec42),
     ("phong, n = 20", 0xc662f99a410a2fca),
-    ("phong, n = 20, p = 0.5", 0x578c224876becbd0),
+    ("phong, n = 20, p = 0.5", 0x9d6b4bec1d38e9f7),
     ("retro-phong, n = 20", 0x1593089241356d5d),
     ("patch, R = 0.3", 0xdaa912a166803fa7),
     ("patch, R = 1.5", 0x9dd6eb5048493ae5),
@@ -95,7 +105,7 @@ const Q31_128_SUMS: [(&str, u64); 19] = [
     ("metallic-phong, n = 5e3", 0x0e8efddb81426d54),
     ("metallic-phong, n = 1e8", 0x8d2a290fd4e6b94a),
     ("phong, n = 20", 0xa80351c9a65eb148),
-    ("phong, n = 20, p = 0.5", 0x32f2eee2d2c3f50e),
+    ("phong, n = 20, p = 0.5", 0xb8571659f89e3303),
     ("retro-phong, n = 20", 0xbf3d947528f0176f),
     ("patch, R = 0.3", 0xdaa912a166803fa7),
     ("patch, R = 1.5", 0x9dd6eb5048493ae5),
@@ -106,4 +116,46 @@ const Q31_128_SUMS: [(&str, u64); 19] = [
     ("patch-exponential, s = 4096", 0x75ce89497b5f717a),
     ("metal, n = 20", 0xbfddaee22cdab907),
     ("plastic, n = 20", 0xe6da5a4dcce523e4),
+];
+const MICROMATH_SUMS: [(&str, u64); 19] = [
+    ("lambert", 0x2c397570905977c0),
+    ("metallic-phong, n = 0", 0xc1fc3dbb4a69d174),
+    ("metallic-phong, n = 1", 0x6553637d59879459),
+    ("metallic-phong, n = 2.5", 0x220105c77479d657),
+    ("metallic-phong, n = 20", 0x35435dbc192332fb),
+    ("metallic-phong, n = 5e3", 0x2be32ec87ddc045b),
+    ("metallic-phong, n = 1e8", 0x3111b7b516bf3ae5),
+    ("phong, n = 20", 0xa800b3c0a50fdf10),
+    ("phong, n = 20, p = 0.5", 0x0969ee37a347d4b5),
+    ("retro-phong, n = 20", 0xc53e32dc1f574033),
+    ("patch, R = 0.3", 0x34e4a941a2a68e27),
+    ("patch, R = 1.5", 0xd5661e3c84af87b3),
+    ("patch, R = 2", 0xeb4902d1fc9ba9b3),
+    ("patch-exponential, s = 0", 0xeb4902d1fc9ba9b3),
+    ("patch-exponential, s = 0.05", 0x37a613cc6a3d6e1d),
+    ("patch-exponential, s = 4", 0x02b373cf71973b05),
+    ("patch-exponential, s = 4096", 0x07412a971a61b1c0),
+    ("metal, n = 20", 0x77e8b513d94dcae6),
+    ("plastic, n = 20", 0x68c1b7b485d50f74),
+];
+const Q15_SUMS: [(&str, u64); 19] = [
+    ("lambert", 0x11ee0d40aa795389),
+    ("metallic-phong, n = 0", 0x5a355e56b79d239f),
+    ("metallic-phong, n = 1", 0xc228d3553df45a9c),
+    ("metallic-phong, n = 2.5", 0x50b6cd5afba76c74),
+    ("metallic-phong, n = 20", 0x1fd5cf88765f4428),
+    ("metallic-phong, n = 5e3", 0x48f280563e4db0d5),
+    ("metallic-phong, n = 1e8", 0x465d7e2485b48191),
+    ("phong, n = 20", 0xf6ef6fb81cb2c888),
+    ("phong, n = 20, p = 0.5", 0x2fcbc302b1a686f3),
+    ("retro-phong, n = 20", 0xeda88c950b302569),
+    ("patch, R = 0.3", 0x674ca81b12e28348),
+    ("patch, R = 1.5", 0x2fa3095d90be1851),
+    ("patch, R = 2", 0x1aba1707569b00a8),
+    ("patch-exponential, s = 0", 0x1aba1707569b00a8),
+    ("patch-exponential, s = 0.05", 0xf674a47a6794aeca),
+    ("patch-exponential, s = 4", 0xa0d578a8ec7e4591),
+    ("patch-exponential, s = 4096", 0x1404d07756d45663),
+    ("metal, n = 20", 0xd770b1845498344e),
+    ("plastic, n = 20", 0x3bf43ddd76f1b0b8),
 ];

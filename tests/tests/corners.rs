@@ -232,8 +232,14 @@ fn along_the_normal_everything_shows_its_peak<A: Tested>() {
         } else {
             1.0
         };
+        // Plastic is the sum of two products.
+        let products = if name.contains("plastic") {
+            A::PRODUCT_ERROR
+        } else {
+            0.0
+        };
         assert!(
-            (share - expected).abs() <= 2.0 * A::UNIT_STEP,
+            (share - expected).abs() <= 2.0 * A::UNIT_STEP + products,
             "{name}: {share}"
         );
     }
@@ -273,6 +279,11 @@ fn a_step_beside_the_mirror_direction_dims_nothing<A: Tested>() {
                 let geometry = ShadingFrame::new(l, rounded(v));
                 if v[2] < 0.0 {
                     is_zero(&mut faults, "below", &lobe, &geometry);
+                    continue;
+                }
+                // A cosine that is rounded to 0 follows the horizon's rule.
+                if geometry.l.z == A::COSINE_ZERO {
+                    assert_eq!(lobe.share(&geometry), Rgb::grey(A::ZERO));
                     continue;
                 }
                 let share = A::unit_value(lobe.share(&geometry).r);
@@ -333,17 +344,19 @@ fn lengths_within_the_contract_keep_the_accuracy<A: Tested>() {
                 let (_, unit) = subject.codes([l, v], 1.0);
                 // Their m sees a length error as such, not as a share of m.
                 let patch = entry.model.starts_with("patch");
+                // Rounding another length moves a sharp lobe's directions.
+                let coarse = entry.n.sqrt() * A::COMPONENT_ERROR > 1e-4;
                 for channel in 0..3 {
                     let code = f64::from(shown[channel]);
                     let arithmetic = (code - exact[channel]).abs();
                     assert!(
-                        arithmetic <= 0.54,
+                        arithmetic <= A::CODE_ERROR,
                         "{}: {code} for {} {pair:?}",
                         entry.toml,
                         exact[channel]
                     );
                     assert!(
-                        patch || (code - unit[channel]).abs() <= 0.7,
+                        patch || coarse || (code - unit[channel]).abs() <= A::CODE_ERROR + 0.16,
                         "{}: {code} for {} of unit vectors, {pair:?}",
                         entry.toml,
                         unit[channel]
@@ -392,7 +405,8 @@ fn exposure_never_wraps<A: Tested>() {
                 f64::from(A::linear(Rgb::grey(A::expose(gain, A::unit(share)))).to_raw()[0]);
             let exact = (k * held).min(1.0) * f64::from(1 << 24);
             assert!(
-                (found - exact).abs() <= 1.0 + 2e-7 * exact,
+                (found - exact).abs()
+                    <= 1.0 + A::GAIN_ERROR * exact + A::EXPOSURE_STEP * k * 16_777_216.0,
                 "K = {k}, share {held}: {found} for {exact}"
             );
             share *= 0.61;
@@ -402,10 +416,8 @@ fn exposure_never_wraps<A: Tested>() {
     for k in [1e-3, 1.0, 2e7] {
         let light = |share: f64| A::linear(Rgb::grey(A::expose(A::gain(k), A::unit(share))));
         assert_eq!(light(0.0).to_raw(), [0; 3]);
-        assert_eq!(
-            light(1.0).to_raw()[0],
-            ((k * 16_777_216.0).round() as u64).min(1 << 24) as u32
-        );
+        let (found, exact) = (f64::from(light(1.0).to_raw()[0]), k.min(1.0) * 16_777_216.0);
+        assert!((found - exact).abs() <= 0.5 + A::GAIN_ERROR * exact);
     }
     // Many lights on one pixel are white, not what is left of their sum.
     let full = A::expose(A::gain(2e7), A::ONE);

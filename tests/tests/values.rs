@@ -74,6 +74,10 @@ fn the_mirror_direction_gives_the_peak<A: Tested>() {
         for theta in angles() {
             let l = at(theta, 30.0);
             let mirror = frame::<A>(l, [-l[0], -l[1], l[2]]);
+            // A cosine that is rounded to 0 follows the horizon's rule.
+            if mirror.l.z == A::COSINE_ZERO {
+                continue;
+            }
             // Not "about 1": the middle of a highlight must not be dimmed.
             assert_eq!(metallic.share(&mirror), Rgb::grey(A::ONE), "{mirror:?}");
             let peak = A::scale_value(metallic.peak());
@@ -156,7 +160,7 @@ fn a_lobe_turned_sideways_keeps_its_width<A: Tested>() {
         close(
             share(&lobe, &geometry)[0],
             expected,
-            (A::LOBE_ERROR + n.sqrt() * 1e-6) * expected + 1e-9,
+            (A::LOBE_ERROR + n.sqrt() * (1e-6 + 4.0 * A::COMPONENT_ERROR)) * expected + 1e-9,
         );
         if n == 20.0 {
             close(expected, 0.976, 5e-4);
@@ -352,7 +356,7 @@ fn the_p_model_lies_between_at_its_power<A: Tested>() {
         for p in [0.1, 0.25, 0.5, 0.75, 0.9] {
             let found = at_p(p);
             let expected = flat.powf(1.0 - p) * metallic.powf(p);
-            close(found, expected, 2e-5 * expected);
+            close(found, expected, (2e-5 + 2.0 * A::PRODUCT_ERROR) * expected);
             assert!(found > before && found < metallic);
             before = found;
         }
@@ -367,10 +371,10 @@ fn plastic_is_the_sum_of_its_parts<A: Tested>() {
         let geometry = frame::<A>(at(theta_l, 0.0), at(theta_v, phi));
         let reflect = |model: &AnyModel<A>| A::radiance_value(model.reflect(&geometry).r);
         let sum = reflect(&lambert) + 0.25 * reflect(&lobe);
-        close(reflect(&plastic), sum, 1e-6 * sum + 2e-9);
+        close(reflect(&plastic), sum, A::PRODUCT_ERROR * sum + 2e-9);
         let whole = A::scale_value(plastic.peak()) * share(&plastic, &geometry)[0];
-        close(whole, sum, 1e-6 * sum + 2e-8);
+        close(whole, sum, A::PRODUCT_ERROR * sum + 2e-8);
         let f = brdf(&lambert, &geometry)[0] + 0.25 * brdf(&lobe, &geometry)[0];
-        close(brdf(&plastic, &geometry)[0], f, 1e-6 * f + 2e-9);
+        close(brdf(&plastic, &geometry)[0], f, A::PRODUCT_ERROR * f + 2e-9);
     }
 }

@@ -38,7 +38,7 @@ pub const BOARDS: [Board; 3] = [
 ];
 
 /// Arithmetics that firmware can be built with.
-pub const ARITHMETICS: [&str; 2] = ["f32", "q31"];
+pub const ARITHMETICS: [&str; 4] = ["f32", "micromath", "q31", "q15"];
 
 impl Board {
     /// The board of that name.

@@ -1,25 +1,33 @@
-//! Single precision, with libm.
+//! Single precision.
+
+use core::marker::PhantomData;
 
 use super::Arithmetic;
+use super::math::{Libm, Math};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::{LINEAR_ONE, Linear};
 use crate::table::CosineCurve;
 
-/// Single precision with libm's functions, the same bits on every core.
+/// Single precision, the same bits on every core; `M` is where exponentials
+/// and roots come from.
 ///
 /// An input that is not a number makes a share of 0; every result is finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct F32;
+pub struct Float<M>(PhantomData<M>);
 
-impl Arithmetic for F32 {
-    const NAME: &'static str = "f32";
+/// Single precision with libm's functions.
+pub type F32 = Float<Libm>;
+
+impl<M: Math> Arithmetic for Float<M> {
+    const NAME: &'static str = M::NAME;
 
     type Component = f32;
     type Offset = f32;
     type Separation = f32;
     type Versine = f32;
     type Unit = f32;
+    type Ratio = f32;
     type Scale = f32;
     type Radiance = f32;
     type Value = f32;
@@ -84,7 +92,7 @@ impl Arithmetic for F32 {
     fn power(n: &f32, x: f32) -> f32 {
         // False for what is not a number, too.
         if x < 1.0 {
-            libm::expf(n * libm::log1pf(-x))
+            M::exp(n * M::ln_one_minus(x))
         } else {
             0.0
         }
@@ -92,33 +100,32 @@ impl Arithmetic for F32 {
 
     #[inline]
     fn profile(s: &f32, m_squared: f32) -> f32 {
-        finite(libm::expf(-s * libm::sqrtf(m_squared)))
+        finite(M::exp(-s * M::root(m_squared)))
     }
 
     #[inline]
     fn cosine_power(exponent: &f32, cosine: f32) -> f32 {
         if cosine > 0.0 {
-            libm::powf(cosine, *exponent).min(1.0)
+            M::power(cosine, *exponent).min(1.0)
         } else {
             0.0
         }
     }
 
     #[inline]
-    fn ratio(n_dot_l: f32, n_dot_v: f32) -> f32 {
-        if n_dot_l <= 0.0 {
-            // −0 included.
-            0.0
-        } else if n_dot_l >= n_dot_v {
-            1.0
-        } else {
-            n_dot_l / n_dot_v
-        }
+    fn ratio(a: f32, b: f32) -> f32 {
+        // −0 included.
+        if a <= 0.0 { 0.0 } else { a / b }
     }
 
     #[inline]
     fn cosine(cosine: f32) -> f32 {
         if cosine > 0.0 { cosine.min(1.0) } else { 0.0 }
+    }
+
+    #[inline]
+    fn attenuate(share: f32, ratio: f32) -> f32 {
+        share * ratio
     }
 
     #[inline]

@@ -6,9 +6,16 @@
 //! and gives; its implementor chooses bits and rounding.
 
 mod f32;
+mod math;
+mod peak;
+pub(crate) mod q15;
 pub(crate) mod q31;
 
-pub use self::f32::F32;
+pub use self::f32::{F32, Float};
+#[cfg(feature = "micromath")]
+pub use math::{Approximate, Micromath};
+pub use math::{Libm, Math};
+pub use q15::{Gain15, Q15};
 pub use q31::{Gain31, Q31};
 
 use core::fmt::Debug;
@@ -35,6 +42,8 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// A share, 0 … 1: lobe, ratio of cosines, reflectance. Holds numbers
     /// just below 2, because the red of a spectral metal can pass 1.
     type Unit: Copy + Debug + PartialEq + PartialOrd;
+    /// A ratio of cosines, or a cosine that is not negative, 0 … 1.
+    type Ratio: Copy;
     /// Peak of a BRDF over the share, in sr⁻¹.
     type Scale: Copy + Debug + PartialEq;
     /// Reflected radiance for unit normal irradiance.
@@ -89,12 +98,13 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
     /// c^(1−p) for a cosine c ≥ 0.
     fn cosine_power(stored: &Self::CosinePower, cosine: Self::Component) -> Self::Unit;
-    /// cosΘL / max(cosΘL, cosΘV) for cosines that are not negative: exactly 1
-    /// where the first is the larger; 0 where it is 0.
-    fn ratio(n_dot_l: Self::Component, n_dot_v: Self::Component) -> Self::Unit;
-    /// A cosine that is not negative, as a share; at most 1, whatever the
-    /// directions' lengths.
-    fn cosine(cosine: Self::Component) -> Self::Unit;
+    /// a / b for cosines 0 ≤ a < b; 0 where a is 0.
+    fn ratio(a: Self::Component, b: Self::Component) -> Self::Ratio;
+    /// A cosine that is not negative; at most 1, whatever the directions'
+    /// lengths.
+    fn cosine(cosine: Self::Component) -> Self::Ratio;
+    /// share · ratio.
+    fn attenuate(share: Self::Unit, ratio: Self::Ratio) -> Self::Unit;
     /// A curve over a cosine.
     fn curve(curve: &CosineCurve, cosine: Self::Component) -> Rgb<Self::Unit>;
     /// a · b.

@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F30, U1F31, U32F32, U64F64};
 
-use super::Arithmetic;
+use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
@@ -13,9 +13,9 @@ pub(crate) const COMPONENT_BITS: u32 = 30;
 /// Fraction bits of a share.
 pub(crate) const UNIT_BITS: u32 = 31;
 /// Fraction bits of m as the profile tables take it.
-pub(crate) const PROFILE_BITS: u32 = 54;
+const PROFILE_BITS: u32 = 54;
 /// Fraction bits of the versine.
-pub(crate) const VERSINE_BITS: u32 = 2 * COMPONENT_BITS + 1;
+const VERSINE_BITS: u32 = 2 * COMPONENT_BITS + 1;
 
 /// 32-bit fixed point: directions in `I2F30`, shares in `U1F31`, lobes in
 /// tables of `CELLS` cells.
@@ -56,6 +56,24 @@ impl Gain31 {
     }
 }
 
+/// What constructors of models need.
+impl<const CELLS: usize> Q31<CELLS> {
+    /// The lobe of exponent `n`, given with 32 fraction bits.
+    pub(crate) const fn stored_power(n: u64) -> UniformTable<CELLS> {
+        UniformTable::power(n, VERSINE_BITS)
+    }
+
+    /// The profile e^(−s·m), `s` given with 32 fraction bits.
+    pub(crate) const fn stored_exponential(s: u64) -> UniformTable<CELLS> {
+        UniformTable::exponential(s, PROFILE_BITS)
+    }
+
+    /// A separation from one with 60 fraction bits.
+    pub(crate) const fn separation(bits: u64) -> u64 {
+        bits
+    }
+}
+
 impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     const NAME: &'static str = "q31";
 
@@ -67,6 +85,7 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     /// 61 fraction bits.
     type Versine = u64;
     type Unit = U1F31;
+    type Ratio = U1F31;
     type Scale = U32F32;
     type Radiance = U32F32;
     type Value = U64F64;
@@ -147,21 +166,23 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     }
 
     #[inline]
-    fn ratio(n_dot_l: I2F30, n_dot_v: I2F30) -> U1F31 {
-        let (l, v) = (n_dot_l.to_bits(), n_dot_v.to_bits());
-        if l <= 0 {
-            U1F31::ZERO
-        } else if l >= v {
-            U1F31::ONE
-        } else {
-            let quotient = (u64::from(l as u32) << UNIT_BITS) / u64::from(v as u32);
-            U1F31::from_bits(quotient as u32)
+    fn ratio(a: I2F30, b: I2F30) -> U1F31 {
+        let (a, b) = (a.to_bits(), b.to_bits());
+        if a <= 0 || a >= b {
+            return U1F31::ZERO;
         }
+        let quotient = (u64::from(a as u32) << UNIT_BITS) / u64::from(b as u32);
+        U1F31::from_bits(quotient as u32)
     }
 
     #[inline]
     fn cosine(cosine: I2F30) -> U1F31 {
         U1F31::from_bits((cosine.to_bits().clamp(0, 1 << COMPONENT_BITS) as u32) << 1)
+    }
+
+    #[inline]
+    fn attenuate(share: U1F31, ratio: U1F31) -> U1F31 {
+        Self::product(share, ratio)
     }
 
     #[inline]
@@ -182,11 +203,7 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
 
     #[inline]
     fn radiance(peak: U32F32, share: U1F31) -> U32F32 {
-        let (peak, share) = (peak.to_bits(), u64::from(share.to_bits()));
-        let high = (peak >> 32) * share;
-        let low = (peak & 0xFFFF_FFFF) * share;
-        // A share of at most 1 keeps the sum below the peak's own bits.
-        U32F32::from_bits((high << 1).saturating_add(low >> UNIT_BITS))
+        peak::radiance(peak, share)
     }
 
     #[inline]
@@ -196,23 +213,12 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
 
     #[inline]
     fn value(peak: U32F32, share: U1F31) -> U64F64 {
-        let product = u128::from(peak.to_bits()) * u128::from(share.to_bits());
-        // 63 fraction bits, to 64.
-        U64F64::from_bits(product << 1)
+        peak::value(peak, share)
     }
 
     #[inline]
     fn value_over(peak: U32F32, share: U1F31, cosine: I2F30) -> U64F64 {
-        let cosine = cosine.to_bits();
-        if share == U1F31::ZERO {
-            U64F64::ZERO
-        } else if cosine <= 0 {
-            U64F64::MAX
-        } else {
-            // 63 fraction bits over 30, to 64; below 2⁹⁶, so nothing is lost.
-            let product = u128::from(peak.to_bits()) * u128::from(share.to_bits());
-            U64F64::from_bits((product << 31) / u128::from(cosine as u32))
-        }
+        peak::value_over(peak, share, cosine.to_bits())
     }
 
     #[inline]

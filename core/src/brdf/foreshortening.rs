@@ -3,15 +3,22 @@
 use fixed::types::U0F32;
 
 use super::larger;
-use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
+use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::table::CosinePowerTable;
 
 /// Division by cosᵖΘmin (3.12), and the bounded ratio that a shader needs in
 /// its place: forming it first keeps every intermediate within [0, 1].
 pub trait Foreshortening<A: Arithmetic> {
-    /// cosΘL / cosᵖΘmin, in [0, 1], for cosines that are not negative.
-    fn ratio(&self, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit;
+    /// shape · cosΘL / cosᵖΘmin, the quotient in [0, 1], for cosines that are
+    /// not negative.
+    fn attenuate(
+        &self,
+        shape: Rgb<A::Unit>,
+        n_dot_l: A::Component,
+        n_dot_v: A::Component,
+    ) -> Rgb<A::Unit>;
 
     /// peak · shape / cosᵖΘmin for cosΘmin ≥ 0.
     fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value;
@@ -23,8 +30,14 @@ pub struct Flat;
 
 impl<A: Arithmetic> Foreshortening<A> for Flat {
     #[inline]
-    fn ratio(&self, n_dot_l: A::Component, _: A::Component) -> A::Unit {
-        A::cosine(n_dot_l)
+    fn attenuate(
+        &self,
+        shape: Rgb<A::Unit>,
+        n_dot_l: A::Component,
+        _: A::Component,
+    ) -> Rgb<A::Unit> {
+        let cosine = A::cosine(n_dot_l);
+        shape.map(|shape| A::attenuate(shape, cosine))
     }
 
     #[inline]
@@ -39,8 +52,18 @@ pub struct Metallic;
 
 impl<A: Arithmetic> Foreshortening<A> for Metallic {
     #[inline]
-    fn ratio(&self, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
-        A::ratio(n_dot_l, n_dot_v)
+    fn attenuate(
+        &self,
+        shape: Rgb<A::Unit>,
+        n_dot_l: A::Component,
+        n_dot_v: A::Component,
+    ) -> Rgb<A::Unit> {
+        // Half of all directions need no division.
+        if n_dot_l >= n_dot_v && n_dot_l > A::COSINE_ZERO {
+            return shape;
+        }
+        let ratio = A::ratio(n_dot_l, n_dot_v);
+        shape.map(|shape| A::attenuate(shape, ratio))
     }
 
     #[inline]
@@ -56,7 +79,7 @@ pub struct PowerModel<A: Arithmetic> {
     rest: A::CosinePower,
 }
 
-impl PowerModel<F32> {
+impl<M: Math> PowerModel<Float<M>> {
     /// Division by cosᵖΘmin, `p` in [0, 1].
     ///
     /// # Errors
@@ -70,29 +93,42 @@ impl PowerModel<F32> {
     }
 }
 
-impl<const CELLS: usize> PowerModel<Q31<CELLS>> {
-    /// Division by cosᵖΘmin, `p` in (0, 1); for the ends there are [`Flat`]
-    /// and [`Metallic`].
-    ///
-    /// # Errors
-    /// `p` = 0.
-    pub const fn new(p: U0F32) -> Result<Self, ParameterError> {
-        if p.to_bits() == 0 {
-            return Err(P_RANGE);
+macro_rules! in_fixed_point {
+    ($arithmetic:ident) => {
+        impl<const SIZE: usize> PowerModel<$arithmetic<SIZE>> {
+            /// Division by cosᵖΘmin, `p` in (0, 1); for the ends there are [`Flat`]
+            /// and [`Metallic`].
+            ///
+            /// # Errors
+            /// `p` = 0.
+            pub const fn new(p: U0F32) -> Result<Self, ParameterError> {
+                if p.to_bits() == 0 {
+                    return Err(P_RANGE);
+                }
+                Ok(Self {
+                    rest: CosinePowerTable::new((1 << 32) - p.to_bits() as u64),
+                })
+            }
         }
-        Ok(Self {
-            rest: CosinePowerTable::new((1 << 32) - p.to_bits() as u64),
-        })
-    }
+    };
 }
+
+in_fixed_point!(Q31);
+in_fixed_point!(Q15);
 
 const P_RANGE: ParameterError = ParameterError::new("p", "a number from 0 to 1");
 
 impl<A: Arithmetic> Foreshortening<A> for PowerModel<A> {
     #[inline]
-    fn ratio(&self, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
+    fn attenuate(
+        &self,
+        shape: Rgb<A::Unit>,
+        n_dot_l: A::Component,
+        n_dot_v: A::Component,
+    ) -> Rgb<A::Unit> {
         let rest = A::cosine_power(&self.rest, larger::<A>(n_dot_l, n_dot_v));
-        A::product(A::ratio(n_dot_l, n_dot_v), rest)
+        Foreshortening::<A>::attenuate(&Metallic, shape, n_dot_l, n_dot_v)
+            .map(|shape| A::product(shape, rest))
     }
 
     #[inline]

@@ -4,7 +4,7 @@ use fixed::types::{U1F31, U32F32};
 
 use super::Shape;
 use super::foreshortening::Flat;
-use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
@@ -20,7 +20,7 @@ pub struct Lambert<A: Arithmetic> {
 
 const ALBEDO_RANGE: ParameterError = ParameterError::new("albedo", "a number from 0 to 1");
 
-impl Lambert<F32> {
+impl<M: Math> Lambert<Float<M>> {
     /// The diffuser with an albedo in [0, 1] per channel.
     ///
     /// # Errors
@@ -37,22 +37,29 @@ impl Lambert<F32> {
     }
 }
 
-impl<const CELLS: usize> Lambert<Q31<CELLS>> {
-    /// The diffuser with an albedo in [0, 1] per channel.
-    ///
-    /// # Errors
-    /// An albedo above 1.
-    pub const fn new(albedo: Rgb<U1F31>) -> Result<Self, ParameterError> {
-        let [r, g, b] = [albedo.r.to_bits(), albedo.g.to_bits(), albedo.b.to_bits()];
-        if r > 1 << 31 || g > 1 << 31 || b > 1 << 31 {
-            return Err(ALBEDO_RANGE);
+macro_rules! in_fixed_point {
+    ($arithmetic:ident) => {
+        impl<const SIZE: usize> Lambert<$arithmetic<SIZE>> {
+            /// The diffuser with an albedo in [0, 1] per channel.
+            ///
+            /// # Errors
+            /// An albedo above 1.
+            pub const fn new(albedo: Rgb<U1F31>) -> Result<Self, ParameterError> {
+                let [r, g, b] = [albedo.r.to_bits(), albedo.g.to_bits(), albedo.b.to_bits()];
+                if r > 1 << 31 || g > 1 << 31 || b > 1 << 31 {
+                    return Err(ALBEDO_RANGE);
+                }
+                Ok(Self {
+                    peak: U32F32::from_bits((INVERSE_PI >> 32) as u64),
+                    albedo,
+                })
+            }
         }
-        Ok(Self {
-            peak: U32F32::from_bits((INVERSE_PI >> 32) as u64),
-            albedo,
-        })
-    }
+    };
 }
+
+in_fixed_point!(Q31);
+in_fixed_point!(Q15);
 
 impl<A: Arithmetic> Shape for Lambert<A> {
     type Arithmetic = A;

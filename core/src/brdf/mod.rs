@@ -97,8 +97,7 @@ impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
         if shape == Rgb::grey(A::ZERO) {
             return shape;
         }
-        let ratio = self.foreshortening().ratio(n_dot_l, n_dot_v);
-        shape.map(|shape| A::product(shape, ratio))
+        self.foreshortening().attenuate(shape, n_dot_l, n_dot_v)
     }
 
     #[inline]
@@ -123,7 +122,7 @@ fn tinted_brdf<A: Arithmetic>(
     tint.zip(model.shape(geometry), |tint, shape| {
         model
             .foreshortening()
-            .value(peak, A::product(tint, shape), larger)
+            .value(peak, A::product(shape, tint), larger)
     })
 }
 

@@ -4,7 +4,7 @@ use fixed::types::{U2F30, U32F32};
 
 use super::Shape;
 use super::foreshortening::Flat;
-use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
@@ -24,7 +24,7 @@ pub struct Patch<A: Arithmetic> {
 
 const RADIUS_RANGE: ParameterError = ParameterError::new("radius", "a number from 1e-4 to 2");
 
-impl Patch<F32> {
+impl<M: Math> Patch<Float<M>> {
     /// The disc of radius `radius`, from 1e-4 to 2.
     ///
     /// # Errors
@@ -43,27 +43,37 @@ impl Patch<F32> {
     }
 }
 
-impl<const CELLS: usize> Patch<Q31<CELLS>> {
-    /// The disc of radius `radius`, from 1e-4 to 2.
-    ///
-    /// # Errors
-    /// `radius` outside its range.
-    pub const fn new(radius: U2F30) -> Result<Self, ParameterError> {
-        let bits = radius.to_bits() as u64;
-        // 1e-4 with 30 fraction bits is 107374.18.
-        if bits < 107_374 || bits > 2 << 30 {
-            return Err(RADIUS_RANGE);
+macro_rules! in_fixed_point {
+    ($arithmetic:ident) => {
+        impl<const SIZE: usize> Patch<$arithmetic<SIZE>> {
+            /// The disc of radius `radius`, from 1e-4 to 2.
+            ///
+            /// # Errors
+            /// `radius` outside its range.
+            pub const fn new(radius: U2F30) -> Result<Self, ParameterError> {
+                let bits = radius.to_bits() as u64;
+                // 1e-4 with 30 fraction bits is 107374.18.
+                if bits < 107_374 || bits > 2 << 30 {
+                    return Err(RADIUS_RANGE);
+                }
+                let square = bits * bits;
+                let divisor = if square < 1 << 60 { square } else { 1 << 60 };
+                let peak =
+                    U32F32::from_bits((divide(INVERSE_PI << 60, divisor as u128) >> 32) as u64);
+                // R = 2 covers every direction, whatever its length.
+                let covered = if bits == 2 << 30 { u64::MAX } else { square };
+                let radius_squared = $arithmetic::<SIZE>::separation(covered);
+                Ok(Self {
+                    radius_squared,
+                    peak,
+                })
+            }
         }
-        let square = bits * bits;
-        let divisor = if square < 1 << 60 { square } else { 1 << 60 };
-        let peak = U32F32::from_bits((divide(INVERSE_PI << 60, divisor as u128) >> 32) as u64);
-        let radius_squared = if bits == 2 << 30 { u64::MAX } else { square };
-        Ok(Self {
-            radius_squared,
-            peak,
-        })
-    }
+    };
 }
+
+in_fixed_point!(Q31);
+in_fixed_point!(Q15);
 
 impl<A: Arithmetic> Shape for Patch<A> {
     type Arithmetic = A;

@@ -4,12 +4,10 @@ use fixed::types::U32F32;
 
 use super::Shape;
 use super::foreshortening::Flat;
-use crate::arithmetic::q31::PROFILE_BITS;
-use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
-use crate::table::UniformTable;
 use crate::table::integer::{INVERSE_PI, ONE, divide, exp_neg, times};
 
 /// f = C(s) · e^(−s·m), C(s) = s²/(2π(1 − (1+s)e^−s)) (4.45, 4.46).
@@ -23,7 +21,7 @@ pub struct PatchExponential<A: Arithmetic> {
 
 const SHARPNESS_RANGE: ParameterError = ParameterError::new("sharpness", "a number from 0 to 4096");
 
-impl PatchExponential<F32> {
+impl<M: Math> PatchExponential<Float<M>> {
     /// The mixture of sharpness `s`, from 0 to 4096.
     ///
     /// # Errors
@@ -41,23 +39,30 @@ impl PatchExponential<F32> {
     }
 }
 
-impl<const CELLS: usize> PatchExponential<Q31<CELLS>> {
-    /// The mixture of sharpness `s`, from 0 to 4096.
-    ///
-    /// # Errors
-    /// `s` outside its range.
-    pub const fn new(s: U32F32) -> Result<Self, ParameterError> {
-        let bits = s.to_bits();
-        if bits > 4096 << 32 {
-            return Err(SHARPNESS_RANGE);
+macro_rules! in_fixed_point {
+    ($arithmetic:ident) => {
+        impl<const SIZE: usize> PatchExponential<$arithmetic<SIZE>> {
+            /// The mixture of sharpness `s`, from 0 to 4096.
+            ///
+            /// # Errors
+            /// `s` outside its range.
+            pub const fn new(s: U32F32) -> Result<Self, ParameterError> {
+                let bits = s.to_bits();
+                if bits > 4096 << 32 {
+                    return Err(SHARPNESS_RANGE);
+                }
+                let peak = U32F32::from_bits(mixture_peak(bits));
+                Ok(Self {
+                    profile: $arithmetic::<SIZE>::stored_exponential(bits),
+                    peak,
+                })
+            }
         }
-        let peak = U32F32::from_bits(mixture_peak(bits));
-        Ok(Self {
-            profile: UniformTable::exponential(bits, PROFILE_BITS),
-            peak,
-        })
-    }
+    };
 }
+
+in_fixed_point!(Q31);
+in_fixed_point!(Q15);
 
 /// C(s) (4.45), 32 fraction bits in and out, error at most 1e-9 of it.
 const fn mixture_peak(s: u64) -> u64 {

@@ -7,12 +7,10 @@ use fixed::types::U32F32;
 
 use super::Shape;
 use super::foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
-use crate::arithmetic::q31::VERSINE_BITS;
-use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
-use crate::table::UniformTable;
 use crate::table::integer::INVERSE_PI;
 
 /// f = c_n · cosⁿα / cosᵖΘmin, c_n = (n + 2)/2π (3.6), where α is the angle
@@ -96,7 +94,7 @@ impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> PhongLobe<A, X, P> {
     }
 }
 
-impl<X: Axis, P: Foreshortening<F32>> PhongLobe<F32, X, P> {
+impl<M: Math, X: Axis, P: Foreshortening<Float<M>>> PhongLobe<Float<M>, X, P> {
     /// The lobe with exponent `n` from 0 to 1e8 and a foreshortening.
     ///
     /// # Errors
@@ -118,34 +116,46 @@ impl<X: Axis, P: Foreshortening<F32>> PhongLobe<F32, X, P> {
     }
 }
 
-impl<const CELLS: usize, X: Axis, P: Foreshortening<Q31<CELLS>>> PhongLobe<Q31<CELLS>, X, P> {
-    /// The lobe with exponent `n`, 0 or from 1 to 1e8, and a foreshortening.
-    /// Between 0 and 1 the slope at α = 90° is infinite, which no table of
-    /// even cells holds.
-    ///
-    /// # Errors
-    /// `n` outside its range.
-    pub const fn with_foreshortening(n: U32F32, foreshortening: P) -> Result<Self, ParameterError>
-    where
-        P: Copy,
-    {
-        let bits = n.to_bits();
-        if bits > 100_000_000 << 32 || (bits > 0 && bits < 1 << 32) {
-            return Err(ParameterError::new(
-                "exponent",
-                "0 or a number from 1 to 1e8",
-            ));
+macro_rules! in_fixed_point {
+    ($arithmetic:ident) => {
+        impl<const SIZE: usize, X: Axis, P: Foreshortening<$arithmetic<SIZE>>>
+            PhongLobe<$arithmetic<SIZE>, X, P>
+        {
+            /// The lobe with exponent `n`, 0 or from 1 to 1e8, and a foreshortening.
+            /// Between 0 and 1 the slope at α = 90° is infinite, which no table of
+            /// even cells holds.
+            ///
+            /// # Errors
+            /// `n` outside its range.
+            pub const fn with_foreshortening(
+                n: U32F32,
+                foreshortening: P,
+            ) -> Result<Self, ParameterError>
+            where
+                P: Copy,
+            {
+                let bits = n.to_bits();
+                if bits > 100_000_000 << 32 || (bits > 0 && bits < 1 << 32) {
+                    return Err(ParameterError::new(
+                        "exponent",
+                        "0 or a number from 1 to 1e8",
+                    ));
+                }
+                let peak = U32F32::from_bits(lobe_peak(bits));
+                let power = $arithmetic::<SIZE>::stored_power(bits);
+                Ok(Self {
+                    power,
+                    peak,
+                    foreshortening,
+                    axis: PhantomData,
+                })
+            }
         }
-        let peak = U32F32::from_bits(lobe_peak(bits));
-        let power = UniformTable::power(bits, VERSINE_BITS);
-        Ok(Self {
-            power,
-            peak,
-            foreshortening,
-            axis: PhantomData,
-        })
-    }
+    };
 }
+
+in_fixed_point!(Q31);
+in_fixed_point!(Q15);
 
 /// (n + 2)/2π (3.6), 32 fraction bits in and out.
 pub(super) const fn lobe_peak(n: u64) -> u64 {
@@ -154,7 +164,7 @@ pub(super) const fn lobe_peak(n: u64) -> u64 {
 
 macro_rules! plain_constructors {
     ($($foreshortening:ident),*) => {$(
-        impl<X: Axis> PhongLobe<F32, X, $foreshortening> {
+        impl<M: Math, X: Axis> PhongLobe<Float<M>, X, $foreshortening> {
             /// The lobe with exponent `n` from 0 to 1e8.
             ///
             /// # Errors
@@ -164,7 +174,12 @@ macro_rules! plain_constructors {
             }
         }
 
-        impl<const CELLS: usize, X: Axis> PhongLobe<Q31<CELLS>, X, $foreshortening> {
+    )*};
+}
+
+macro_rules! plain_fixed_constructors {
+    ($($arithmetic:ident $foreshortening:ident),*) => {$(
+        impl<const SIZE: usize, X: Axis> PhongLobe<$arithmetic<SIZE>, X, $foreshortening> {
             /// The lobe with exponent `n`, 0 or from 1 to 1e8.
             ///
             /// # Errors
@@ -177,6 +192,7 @@ macro_rules! plain_constructors {
 }
 
 plain_constructors!(Flat, Metallic);
+plain_fixed_constructors!(Q31 Flat, Q31 Metallic, Q15 Flat, Q15 Metallic);
 
 impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> Shape for PhongLobe<A, X, P> {
     type Arithmetic = A;

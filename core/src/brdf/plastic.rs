@@ -3,7 +3,7 @@
 use fixed::types::{U1F31, U32F32};
 
 use super::{Brdf, Lambert, MetallicPhong, Shape, tinted_brdf};
-use crate::arithmetic::{Arithmetic, F32, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
@@ -30,7 +30,7 @@ const SPECULAR_RANGE: ParameterError = ParameterError::new(
     "from 0 to 1, and with the greatest albedo at most 1",
 );
 
-impl Plastic<F32> {
+impl<M: Math> Plastic<Float<M>> {
     /// The plastic of an `albedo` and a `specular` share in [0, 1], and an
     /// exponent `n` from 0 to 1e8.
     ///
@@ -38,11 +38,11 @@ impl Plastic<F32> {
     /// A parameter outside its range or not a number; `specular` plus the
     /// greatest albedo above 1, which would create energy.
     pub const fn new(albedo: Rgb<f32>, specular: Rgb<f32>, n: f32) -> Result<Self, ParameterError> {
-        let highlight = match MetallicPhong::<F32>::new(n) {
+        let highlight = match MetallicPhong::<Float<M>>::new(n) {
             Ok(highlight) => highlight,
             Err(error) => return Err(error),
         };
-        let diffuse = match Lambert::<F32>::new(albedo) {
+        let diffuse = match Lambert::<Float<M>>::new(albedo) {
             Ok(diffuse) => diffuse,
             Err(error) => return Err(error),
         };
@@ -78,42 +78,49 @@ impl Plastic<F32> {
     }
 }
 
-impl<const CELLS: usize> Plastic<Q31<CELLS>> {
-    /// The plastic of an `albedo` and a `specular` share in [0, 1], and an
-    /// exponent `n`, 0 or from 1 to 1e8.
-    ///
-    /// # Errors
-    /// A parameter outside its range; `specular` plus the greatest albedo
-    /// above 1, which would create energy.
-    pub const fn new(
-        albedo: Rgb<U1F31>,
-        specular: Rgb<U1F31>,
-        n: U32F32,
-    ) -> Result<Self, ParameterError> {
-        let highlight = match MetallicPhong::<Q31<CELLS>>::new(n) {
-            Ok(highlight) => highlight,
-            Err(error) => return Err(error),
-        };
-        let diffuse = match Lambert::<Q31<CELLS>>::new(albedo) {
-            Ok(diffuse) => diffuse,
-            Err(error) => return Err(error),
-        };
-        // Both may be rounded up by half a step.
-        if greatest(specular) as u64 + greatest(albedo) as u64 > (1 << 31) + 1 {
-            return Err(SPECULAR_RANGE);
+macro_rules! in_fixed_point {
+    ($arithmetic:ident) => {
+        impl<const SIZE: usize> Plastic<$arithmetic<SIZE>> {
+            /// The plastic of an `albedo` and a `specular` share in [0, 1], and an
+            /// exponent `n`, 0 or from 1 to 1e8.
+            ///
+            /// # Errors
+            /// A parameter outside its range; `specular` plus the greatest albedo
+            /// above 1, which would create energy.
+            pub const fn new(
+                albedo: Rgb<U1F31>,
+                specular: Rgb<U1F31>,
+                n: U32F32,
+            ) -> Result<Self, ParameterError> {
+                let highlight = match MetallicPhong::<$arithmetic<SIZE>>::new(n) {
+                    Ok(highlight) => highlight,
+                    Err(error) => return Err(error),
+                };
+                let diffuse = match Lambert::<$arithmetic<SIZE>>::new(albedo) {
+                    Ok(diffuse) => diffuse,
+                    Err(error) => return Err(error),
+                };
+                // Both may be rounded up by half a step.
+                if greatest(specular) as u64 + greatest(albedo) as u64 > (1 << 31) + 1 {
+                    return Err(SPECULAR_RANGE);
+                }
+                let (low, high) = (diffuse.peak.to_bits(), highlight.peak.to_bits());
+                let peak = times(greatest(albedo), low) + times(greatest(specular), high);
+                Ok(Self {
+                    diffuse,
+                    highlight,
+                    specular,
+                    peak: U32F32::from_bits(peak),
+                    diffuse_weight: weights(albedo, low, peak),
+                    highlight_weight: weights(specular, high, peak),
+                })
+            }
         }
-        let (low, high) = (diffuse.peak.to_bits(), highlight.peak.to_bits());
-        let peak = times(greatest(albedo), low) + times(greatest(specular), high);
-        Ok(Self {
-            diffuse,
-            highlight,
-            specular,
-            peak: U32F32::from_bits(peak),
-            diffuse_weight: weights(albedo, low, peak),
-            highlight_weight: weights(specular, high, peak),
-        })
-    }
+    };
 }
+
+in_fixed_point!(Q31);
+in_fixed_point!(Q15);
 
 /// share · peak.
 const fn times(share: u32, peak: u64) -> u64 {
@@ -160,7 +167,9 @@ impl<A: Arithmetic> Brdf<A> for Plastic<A> {
             return Rgb::grey(A::ZERO);
         }
         let cosine = A::cosine(n_dot_l);
-        let diffuse = self.diffuse_weight.map(|weight| A::product(weight, cosine));
+        let diffuse = self
+            .diffuse_weight
+            .map(|weight| A::attenuate(weight, cosine));
         let highlight = self
             .highlight
             .share(geometry)

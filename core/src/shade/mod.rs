@@ -10,6 +10,7 @@ mod srgb;
 mod surface;
 mod tracing;
 mod tracing_f32;
+mod tracing_q15;
 mod tracing_q31;
 
 pub use camera::Camera;

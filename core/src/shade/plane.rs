@@ -17,8 +17,8 @@ pub struct Plane<A: Tracing> {
 impl<A: Tracing> Plane<A> {
     /// Distance and normal where the ray `d` meets the plane.
     #[inline]
-    pub(crate) fn hit(&self, d: &Direction<A>) -> Option<(A::Depth, Direction<A>)> {
-        let depth = A::plane_depth(self.height, A::dot(&self.normal, d))?;
+    pub(crate) fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>)> {
+        let depth = A::plane_depth(self.height, &self.normal, d)?;
         Some((depth, self.normal))
     }
 }

@@ -48,7 +48,7 @@ impl<A: Tracing, S: Surface<A>> Scene<'_, A, S> {
 
     /// Normal and material of what the ray meets first.
     #[inline]
-    fn first_hit(&self, d: &Direction<A>) -> Option<(Direction<A>, u8)> {
+    fn first_hit(&self, d: &A::Ray) -> Option<(Direction<A>, u8)> {
         let spheres = self
             .spheres
             .iter()

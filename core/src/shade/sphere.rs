@@ -17,7 +17,7 @@ pub struct Sphere<A: Tracing> {
 impl<A: Tracing> Sphere<A> {
     /// Distance and normal where the ray `d` enters.
     #[inline]
-    pub(crate) fn hit(&self, d: &Direction<A>) -> Option<(A::Depth, Direction<A>)> {
+    pub(crate) fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>)> {
         let along = A::along(&self.eye, d);
         let nearest = A::nearest(&self.eye, d, along)?;
         let half = A::half_chord(&nearest)?;

@@ -11,6 +11,8 @@ use crate::geometry::Direction;
 /// Positions never appear: a shape holds where the eye is as seen from it, so
 /// that nothing cancels. A sphere's lengths are in units of its radius.
 pub trait Tracing: Arithmetic {
+    /// The unit vector in which a pixel looks, as finely as tracing needs.
+    type Ray;
     /// A length in the scene, or in radii of a sphere: |length| < 128.
     type Length: Copy + Debug + PartialEq + PartialOrd;
     /// A camera's steps, below 4, fine enough to add a thousand of them.
@@ -21,29 +23,33 @@ pub trait Tracing: Arithmetic {
     type Depth: Copy + PartialOrd;
 
     /// The unit vector in which pixel (x, y) looks.
-    fn ray(camera: &Camera<Self>, x: usize, y: usize) -> Direction<Self>;
-    /// −d.
-    fn reverse(d: &Direction<Self>) -> Direction<Self>;
+    fn ray(camera: &Camera<Self>, x: usize, y: usize) -> Self::Ray;
+    /// −d: V.
+    fn reverse(d: &Self::Ray) -> Direction<Self>;
     /// Distance along the ray `d` to its point nearest to a sphere's centre;
     /// `eye` is the eye as seen from the centre.
-    fn along(eye: &[Self::Length; 3], d: &Direction<Self>) -> Self::Length;
+    fn along(eye: &[Self::Length; 3], d: &Self::Ray) -> Self::Length;
     /// That point as seen from the centre; `None` where a coordinate is not
     /// within a radius or two.
     fn nearest(
         eye: &[Self::Length; 3],
-        d: &Direction<Self>,
+        d: &Self::Ray,
         along: Self::Length,
     ) -> Option<[Self::Near; 3]>;
     /// √(1 − |nearest|²), half of the ray's chord; `None` outside the sphere.
     fn half_chord(nearest: &[Self::Near; 3]) -> Option<Self::Near>;
     /// nearest − half chord · d: where the ray enters, which is the normal.
-    fn entry(nearest: &[Self::Near; 3], half: Self::Near, d: &Direction<Self>) -> Direction<Self>;
+    fn entry(nearest: &[Self::Near; 3], half: Self::Near, d: &Self::Ray) -> Direction<Self>;
     /// radius · (along − half chord); `None` behind the eye.
     fn sphere_depth(
         radius: Self::Length,
         along: Self::Length,
         half: Self::Near,
     ) -> Option<Self::Depth>;
-    /// height / −cosine; `None` where the ray does not descend.
-    fn plane_depth(height: Self::Length, cosine: Self::Component) -> Option<Self::Depth>;
+    /// height / −(N·d); `None` where the ray does not descend.
+    fn plane_depth(
+        height: Self::Length,
+        normal: &Direction<Self>,
+        d: &Self::Ray,
+    ) -> Option<Self::Depth>;
 }

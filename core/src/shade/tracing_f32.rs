@@ -1,10 +1,11 @@
 //! Ray tracing in single precision.
 
 use super::{Camera, Tracing};
-use crate::arithmetic::{Arithmetic, F32};
+use crate::arithmetic::{Arithmetic, Float, Math};
 use crate::geometry::Direction;
 
-impl Tracing for F32 {
+impl<M: Math> Tracing for Float<M> {
+    type Ray = Direction<Self>;
     type Length = f32;
     type Fine = f32;
     type Near = f32;
@@ -17,7 +18,7 @@ impl Tracing for F32 {
         let coordinate =
             |i: usize| camera.forward[i] + (column * camera.right[i] + row * camera.up[i]);
         let [x, y, z] = [coordinate(0), coordinate(1), coordinate(2)];
-        let scale = 1.0 / libm::sqrtf(x * x + y * y + z * z);
+        let scale = 1.0 / M::root(x * x + y * y + z * z);
         Direction::new(x * scale, y * scale, z * scale)
     }
 
@@ -44,7 +45,7 @@ impl Tracing for F32 {
     fn half_chord(nearest: &[f32; 3]) -> Option<f32> {
         let rest = 1.0 - Self::square(*nearest);
         if rest >= 0.0 {
-            Some(libm::sqrtf(rest))
+            Some(M::root(rest))
         } else {
             None
         }
@@ -63,7 +64,8 @@ impl Tracing for F32 {
     }
 
     #[inline]
-    fn plane_depth(height: f32, cosine: f32) -> Option<f32> {
+    fn plane_depth(height: f32, normal: &Direction<Self>, d: &Direction<Self>) -> Option<f32> {
+        let cosine = Self::dot(normal, d);
         if cosine < 0.0 {
             Some(height / -cosine)
         } else {

@@ -3,7 +3,7 @@
 use fixed::types::{I2F30, I8F24, I24F40};
 
 use super::{Camera, Tracing};
-use crate::arithmetic::Q31;
+use crate::arithmetic::{Arithmetic, Q31};
 use crate::geometry::Direction;
 
 /// Fraction bits of a direction's component.
@@ -14,6 +14,7 @@ const LENGTH: u32 = 24;
 const NEAR: u32 = 28;
 
 impl<const CELLS: usize> Tracing for Q31<CELLS> {
+    type Ray = Direction<Self>;
     type Length = I8F24;
     type Fine = I24F40;
     /// 28 fraction bits.
@@ -102,8 +103,8 @@ impl<const CELLS: usize> Tracing for Q31<CELLS> {
     }
 
     #[inline]
-    fn plane_depth(height: I8F24, cosine: I2F30) -> Option<i64> {
-        let descent = -i64::from(cosine.to_bits());
+    fn plane_depth(height: I8F24, normal: &Direction<Self>, d: &Direction<Self>) -> Option<i64> {
+        let descent = -i64::from(Self::dot(normal, d).to_bits());
         if descent > 0 {
             Some((i64::from(height.to_bits()) << DIRECTION) / descent)
         } else {

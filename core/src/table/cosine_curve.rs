@@ -75,6 +75,25 @@ impl CosineCurve {
         })
     }
 
+    /// As [`Self::at`], for a cosine with 14 fraction bits, in 32-bit steps.
+    #[inline]
+    pub(crate) fn at_short(&self, cosine: i16) -> [u32; 3] {
+        let cosine = cosine.clamp(0, 1 << 14) as u32;
+        let (cell, fraction) = if cosine < 1 << 12 {
+            (cosine >> 6, (cosine & 0x3F) << 2)
+        } else {
+            (FINE_CELLS as u32 - 16 + (cosine >> 8), cosine & 0xFF)
+        };
+        let Some(left) = self.entries.get(cell as usize) else {
+            return [0; 3];
+        };
+        let right = self.entries.get(cell as usize + 1).unwrap_or(left);
+        [0, 1, 2].map(|channel| {
+            let (from, to) = (i32::from(left[channel]), i32::from(right[channel]));
+            (((from << 8) + (to - from) * fraction as i32) as u32) << 8
+        })
+    }
+
     /// As [`Self::at`], in single precision.
     #[inline]
     pub(crate) fn at_f32(&self, cosine: f32) -> Rgb<f32> {

@@ -3,8 +3,12 @@
 mod cosine_curve;
 mod cosine_power;
 pub(crate) mod integer;
+pub(crate) mod reciprocal;
+pub(crate) mod root;
+mod scaled;
 mod uniform;
 
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
 pub use cosine_power::CosinePowerTable;
+pub use scaled::ScaledTable;
 pub use uniform::UniformTable;

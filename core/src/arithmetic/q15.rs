@@ -1,0 +1,268 @@
+//! 16-bit directions, products of 32 bits.
+
+use fixed::types::{I2F14, U1F31, U32F32, U64F64};
+
+use super::{Arithmetic, peak};
+use crate::colour::Rgb;
+use crate::geometry::Direction;
+use crate::shade::Linear;
+use crate::table::{CosineCurve, CosinePowerTable, ScaledTable, reciprocal, root};
+
+/// Fraction bits of a component.
+const COMPONENT_BITS: u32 = 14;
+
+/// 16-bit fixed point: directions in `I2F14`, shares in `U1F31`, lobes in
+/// tables of `KNOTS` knots.
+///
+/// For cores without a long multiply or a divider (Cortex-M0 and M0+): no
+/// product on its way from two directions to linear light is wider than 32
+/// bits, and nothing is divided. The versine is exact for the directions
+/// given; coarse are only the directions themselves, which a picture shows at
+/// grazing and in narrow lobes. Sums of components wrap only for directions
+/// whose length is far from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Q15<const KNOTS: usize = 129>;
+
+/// K as a mantissa of 16 bits and a shift, within 2⁻¹⁶ of its value:
+/// 2⁻²⁴ to 2³².
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Gain15 {
+    mantissa: u32,
+    left: u32,
+    right: u32,
+    /// Greatest product that survives the shift to the left.
+    limit: u32,
+}
+
+impl Gain15 {
+    /// Bits by which a share has more than the light: 31 against 24.
+    const EXCESS: u32 = 7;
+
+    /// The gain K, any number that `U32F32` holds.
+    #[must_use]
+    pub const fn new(k: U32F32) -> Self {
+        let bits = k.to_bits();
+        let zeros = bits.leading_zeros();
+        // K = mantissa · 2^(32 − zeros − 16).
+        let mantissa = if zeros < 64 {
+            (((bits << zeros) >> 47) as u32).div_ceil(2)
+        } else {
+            0
+        };
+        // K < 2^(32 − zeros): from 31 fraction bits to the light's 24.
+        let (up, down) = (32, Self::EXCESS + zeros);
+        let left = if up > down { up - down } else { 0 };
+        let right = if down > up { down - up } else { 0 };
+        Self {
+            // Below one step of the light.
+            mantissa: if right < 32 { mantissa } else { 0 },
+            left,
+            right: right % 32,
+            limit: u32::MAX >> left,
+        }
+    }
+}
+
+/// What constructors of models need.
+impl<const KNOTS: usize> Q15<KNOTS> {
+    /// The lobe of exponent `n`, given with 32 fraction bits.
+    pub(crate) const fn stored_power(n: u64) -> ScaledTable<KNOTS> {
+        ScaledTable::power(n)
+    }
+
+    /// The profile e^(−s·m), `s` given with 32 fraction bits.
+    pub(crate) const fn stored_exponential(s: u64) -> ScaledTable<KNOTS> {
+        ScaledTable::exponential(s)
+    }
+
+    /// A separation from one with 60 fraction bits, rounded down: separations
+    /// of directions are multiples of its step.
+    pub(crate) const fn separation(bits: u64) -> u32 {
+        if bits == u64::MAX {
+            u32::MAX
+        } else {
+            (bits >> (60 - 2 * COMPONENT_BITS)) as u32
+        }
+    }
+}
+
+impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
+    const NAME: &'static str = "q15";
+
+    type Component = I2F14;
+    /// 14 fraction bits.
+    type Offset = i32;
+    /// 28 fraction bits.
+    type Separation = u32;
+    /// 29 fraction bits.
+    type Versine = u32;
+    type Unit = U1F31;
+    /// 20 fraction bits.
+    type Ratio = u32;
+    type Scale = U32F32;
+    type Radiance = U32F32;
+    type Value = U64F64;
+    type Gain = Gain15;
+    /// 24 fraction bits, saturating.
+    type Light = u32;
+    type Power = ScaledTable<KNOTS>;
+    type Profile = ScaledTable<KNOTS>;
+    type CosinePower = CosinePowerTable;
+
+    const COSINE_ZERO: I2F14 = I2F14::ZERO;
+    const ZERO: U1F31 = U1F31::ZERO;
+    const ONE: U1F31 = U1F31::ONE;
+
+    #[inline]
+    fn dot(a: &Direction<Self>, b: &Direction<Self>) -> I2F14 {
+        let product = |a: I2F14, b: I2F14| i32::from(a.to_bits()) * i32::from(b.to_bits());
+        let sum = product(a.x, b.x)
+            .wrapping_add(product(a.y, b.y))
+            .wrapping_add(product(a.z, b.z));
+        I2F14::from_bits((sum.wrapping_add(1 << (COMPONENT_BITS - 1)) >> COMPONENT_BITS) as i16)
+    }
+
+    #[inline]
+    fn sum(a: I2F14, b: I2F14) -> i32 {
+        i32::from(a.to_bits()) + i32::from(b.to_bits())
+    }
+
+    #[inline]
+    fn difference(a: I2F14, b: I2F14) -> i32 {
+        i32::from(a.to_bits()) - i32::from(b.to_bits())
+    }
+
+    #[inline]
+    fn tangential(n: I2F14, l: I2F14, v: I2F14, cosines: (I2F14, I2F14)) -> i32 {
+        let along = Self::sum(cosines.0, cosines.1) * i32::from(n.to_bits());
+        Self::sum(l, v) - (along.wrapping_add(1 << (COMPONENT_BITS - 1)) >> COMPONENT_BITS)
+    }
+
+    #[inline]
+    fn square<const N: usize>(offsets: [i32; N]) -> u32 {
+        offsets.iter().fold(0, |sum: u32, offset| {
+            sum.wrapping_add(offset.wrapping_mul(*offset) as u32)
+        })
+    }
+
+    #[inline]
+    fn half(square: u32) -> u32 {
+        square
+    }
+
+    #[inline]
+    fn above_horizon(n_dot_l: I2F14, n_dot_v: I2F14) -> bool {
+        // Either sign bit.
+        n_dot_l.to_bits() | n_dot_v.to_bits() >= 0
+    }
+
+    #[inline]
+    fn is_number(_: u32) -> bool {
+        true
+    }
+
+    #[inline]
+    fn power(table: &ScaledTable<KNOTS>, x: u32) -> U1F31 {
+        U1F31::from_bits(table.at(x))
+    }
+
+    #[inline]
+    fn profile(table: &ScaledTable<KNOTS>, m_squared: u32) -> U1F31 {
+        U1F31::from_bits(table.at(root::root(m_squared)))
+    }
+
+    #[inline]
+    fn cosine_power(table: &CosinePowerTable, cosine: I2F14) -> U1F31 {
+        U1F31::from_bits(table.at(i32::from(cosine.to_bits()) << 16))
+    }
+
+    #[inline]
+    fn ratio(a: I2F14, b: I2F14) -> u32 {
+        let (a, b) = (a.to_bits(), b.to_bits());
+        if a <= 0 || a >= b {
+            return 0;
+        }
+        reciprocal::quotient(a as u32, b as u32)
+    }
+
+    #[inline]
+    fn cosine(cosine: I2F14) -> u32 {
+        (cosine.to_bits().clamp(0, 1 << COMPONENT_BITS) as u32) << (20 - COMPONENT_BITS)
+    }
+
+    /// Truncates: off by less than 2⁻²⁶.
+    #[inline]
+    fn attenuate(share: U1F31, ratio: u32) -> U1F31 {
+        let share = share.to_bits();
+        let high = (share >> 20).wrapping_mul(ratio);
+        let low = ((share >> 4) & 0xFFFF).wrapping_mul(ratio >> 4);
+        U1F31::from_bits(high.wrapping_add(low >> 12))
+    }
+
+    #[inline]
+    fn curve(curve: &CosineCurve, cosine: I2F14) -> Rgb<U1F31> {
+        Rgb::from_array(curve.at_short(cosine.to_bits())).map(U1F31::from_bits)
+    }
+
+    /// The second factor is taken to 16 fraction bits: off by at most 2⁻¹⁶ of
+    /// the first one.
+    #[inline]
+    fn product(a: U1F31, b: U1F31) -> U1F31 {
+        let (a, b) = (a.to_bits(), b.to_bits() >> 15);
+        let high = (a >> 16).wrapping_mul(b);
+        let low = ((a & 0xFFFF) >> 1).wrapping_mul(b);
+        U1F31::from_bits(high.wrapping_add(low >> 15))
+    }
+
+    #[inline]
+    fn total(a: U1F31, b: U1F31) -> U1F31 {
+        a.saturating_add(b).min(U1F31::ONE)
+    }
+
+    #[inline]
+    fn radiance(peak: U32F32, share: U1F31) -> U32F32 {
+        peak::radiance(peak, share)
+    }
+
+    #[inline]
+    fn add_radiances(a: U32F32, b: U32F32) -> U32F32 {
+        a.saturating_add(b)
+    }
+
+    #[inline]
+    fn value(peak: U32F32, share: U1F31) -> U64F64 {
+        peak::value(peak, share)
+    }
+
+    #[inline]
+    fn value_over(peak: U32F32, share: U1F31, cosine: I2F14) -> U64F64 {
+        peak::value_over(peak, share, i32::from(cosine.to_bits()) << 16)
+    }
+
+    #[inline]
+    fn add_values(a: U64F64, b: U64F64) -> U64F64 {
+        a.saturating_add(b)
+    }
+
+    #[inline]
+    fn expose(gain: Gain15, share: U1F31) -> u32 {
+        let share = share.to_bits();
+        let high = (share >> 16) * gain.mantissa;
+        let product = high + ((share & 0xFFFF) * gain.mantissa >> 16);
+        if product > gain.limit {
+            u32::MAX
+        } else {
+            (product << (gain.left % 32)) >> (gain.right % 32)
+        }
+    }
+
+    #[inline]
+    fn add_light(a: u32, b: u32) -> u32 {
+        a.saturating_add(b)
+    }
+
+    #[inline]
+    fn linear(light: Rgb<u32>) -> Linear {
+        Linear::from_raw(light.r, light.g, light.b)
+    }
+}
