@@ -303,7 +303,6 @@ pub const BUGS: &[Bug] = &[
         &["picture"],
     ),
     bug(
-<<<<<<< HEAD
         "a lobe is drawn as for n + 1",
         "core/src/sampling/phong.rs",
         "concentration: 1.0 / (n + 1.0)",
@@ -330,7 +329,8 @@ pub const BUGS: &[Bug] = &[
         "self.model.reflectance(larger::<A>(direction.z, v.z))",
         "self.model.reflectance(v.z)",
         &["sampling"],
-=======
+    ),
+    bug(
         "a scaled table is read one cell too far",
         "core/src/table/scaled.rs",
         "let cell = (position >> (32 - Self::CELL_BITS)) as usize;",
@@ -364,6 +364,5 @@ pub const BUGS: &[Bug] = &[
         "U1F31::from_bits(high.wrapping_add(low >> 12))",
         "U1F31::from_bits(high)",
         &["accuracy"],
->>>>>>> 09abd66 (q15 and micromath: the models without long multiply or division, and with a short library)
     ),
 ];

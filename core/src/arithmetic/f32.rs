@@ -114,8 +114,14 @@ impl<M: Math> Arithmetic for Float<M> {
 
     #[inline]
     fn ratio(a: f32, b: f32) -> f32 {
-        // −0 included.
-        if a <= 0.0 { 0.0 } else { a / b }
+        if a <= 0.0 {
+            // −0 included.
+            0.0
+        } else if a >= b {
+            1.0
+        } else {
+            a / b
+        }
     }
 
     #[inline]

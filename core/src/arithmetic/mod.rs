@@ -98,7 +98,8 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
     /// c^(1−p) for a cosine c ≥ 0.
     fn cosine_power(stored: &Self::CosinePower, cosine: Self::Component) -> Self::Unit;
-    /// a / b for cosines 0 ≤ a < b; 0 where a is 0.
+    /// a / max(a, b) for cosines that are not negative: exactly 1 where the
+    /// first is the larger; 0 where it is 0.
     fn ratio(a: Self::Component, b: Self::Component) -> Self::Ratio;
     /// A cosine that is not negative; at most 1, whatever the directions'
     /// lengths.

@@ -179,10 +179,13 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn ratio(a: I2F14, b: I2F14) -> u32 {
         let (a, b) = (a.to_bits(), b.to_bits());
-        if a <= 0 || a >= b {
-            return 0;
+        if a <= 0 {
+            0
+        } else if a >= b {
+            1 << 20
+        } else {
+            reciprocal::quotient(a as u32, b as u32)
         }
-        reciprocal::quotient(a as u32, b as u32)
     }
 
     #[inline]

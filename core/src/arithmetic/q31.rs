@@ -168,11 +168,14 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     #[inline]
     fn ratio(a: I2F30, b: I2F30) -> U1F31 {
         let (a, b) = (a.to_bits(), b.to_bits());
-        if a <= 0 || a >= b {
-            return U1F31::ZERO;
+        if a <= 0 {
+            U1F31::ZERO
+        } else if a >= b {
+            U1F31::ONE
+        } else {
+            let quotient = (u64::from(a as u32) << UNIT_BITS) / u64::from(b as u32);
+            U1F31::from_bits(quotient as u32)
         }
-        let quotient = (u64::from(a as u32) << UNIT_BITS) / u64::from(b as u32);
-        U1F31::from_bits(quotient as u32)
     }
 
     #[inline]

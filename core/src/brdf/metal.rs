@@ -61,12 +61,7 @@ impl<A: Arithmetic> Shape for Metal<A> {
             return lobe;
         }
         let (n_dot_l, n_dot_v) = geometry.cosines();
-<<<<<<< HEAD
         let fresnel = self.reflectance(larger::<A>(n_dot_l, n_dot_v));
-        fresnel.map(|reflectance| A::product(reflectance, lobe.r))
-=======
-        let fresnel = A::curve(&self.fresnel, larger::<A>(n_dot_l, n_dot_v));
         fresnel.map(|reflectance| A::product(lobe.r, reflectance))
->>>>>>> 09abd66 (q15 and micromath: the models without long multiply or division, and with a short library)
     }
 }

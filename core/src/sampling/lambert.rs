@@ -24,7 +24,7 @@ impl<A: Sampling> Sample<A> for Lambert<A> {
     #[inline]
     fn pdf(&self, l: &Direction<A>, v: &Direction<A>) -> A::Radiance {
         let share = if A::above_horizon(l.z, v.z) {
-            A::cosine(l.z)
+            A::attenuate(A::ONE, A::cosine(l.z))
         } else {
             A::ZERO
         };

@@ -41,7 +41,7 @@ impl<A: Sampling> Sample<A> for MetalSampler<A> {
         Some(Drawn {
             direction,
             weight: reflectance
-                .map(|channel| A::radiance(self.lobe.gain, A::product(channel, ratio))),
+                .map(|channel| A::radiance(self.lobe.gain, A::attenuate(channel, ratio))),
         })
     }
 

@@ -109,7 +109,7 @@ impl<A: Sampling> Sample<A> for PatchExponentialSampler<A> {
             } else {
                 from_normal(l)
             };
-            A::product(self.model.profile(distance), A::cosine(l.z))
+            A::attenuate(self.model.profile(distance), A::cosine(l.z))
         } else {
             A::ZERO
         };

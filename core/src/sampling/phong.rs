@@ -197,10 +197,12 @@ impl<A: Sampling, X: LobeAxis, P: Foreshortening<A>> Sample<A> for PhongLobeSamp
     #[inline]
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
         let direction = self.lobe.draw::<X>(v, random)?;
-        let ratio = self.model.foreshortening().ratio(direction.z, v.z);
+        let whole = Rgb::grey(A::ONE);
+        let foreshortening = self.model.foreshortening();
+        let ratio = foreshortening.attenuate(whole, direction.z, v.z);
         Some(Drawn {
             direction,
-            weight: Rgb::grey(A::radiance(self.lobe.gain, ratio)),
+            weight: ratio.map(|ratio| A::radiance(self.lobe.gain, ratio)),
         })
     }
 
