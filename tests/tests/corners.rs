@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use microbrdf::Rgb;
 use microbrdf::brdf::Brdf;
 use microbrdf::geometry::{Direction, Geometry, ShadingFrame, World};
+use microbrdf_reference::geometry::{retro_versine, versine};
 use microbrdf_scene::{AnyModel, Material};
 use microbrdf_tests::arithmetic::{Tested, bits, rounded, value_of};
 use microbrdf_tests::domain::Set;
@@ -26,6 +27,9 @@ in_every_arithmetic!(
     lengths_within_the_contract_keep_the_accuracy,
     lengths_off_by_a_thousandth_stay_in_range,
     exposure_never_wraps,
+    every_model_is_exact_at_the_ends_of_exposure,
+    along_any_normal_a_lobe_shows_its_peak,
+    opposite_directions_in_any_frame,
 );
 
 fn model<A: Tested>(toml: &str) -> AnyModel<A> {
@@ -425,10 +429,126 @@ fn exposure_never_wraps<A: Tested>() {
     assert_eq!(A::linear(Rgb::grey(sum)).srgb8(), [255; 3]);
 }
 
+/// Every model at K = 1e-3 and 2e7: linear light within what the stored curves
+/// and the last bits of a share leave, times K.
+fn every_model_is_exact_at_the_ends_of_exposure<A: Tested>() {
+    let mut faults = Faults::default();
+    let mut graded = 0;
+    for entry in registry::all() {
+        let subject = Subject::<A>::new(&entry.material());
+        for k in [1e-3, 2e7] {
+            let gain = Rgb::grey(A::gain(k));
+            for set in Set::ALL {
+                for pair in entry.pairs(set, 9.0 + k.max(1.0).ln(), 200) {
+                    let geometry = Subject::<A>::geometry(pair);
+                    let shown = A::linear(subject.model.shade(&gain, &geometry)).to_raw();
+                    let [l, v] = Subject::<A>::rounded(&geometry);
+                    let exact = subject.exact.rho(&l, &v);
+                    let x = if entry.model == "retro-phong" {
+                        retro_versine(&l, &v)
+                    } else {
+                        versine(&l, &v)
+                    };
+                    // A float's versine is off by a few roundings, which
+                    // n/(1 − x) magnifies where a broad lobe ends.
+                    let turned = if A::FRACTIONAL_EXPONENTS && x < 1.0 {
+                        2e-7 * entry.n * x / (1.0 - x)
+                    } else {
+                        0.0
+                    };
+                    for (shown, rho) in shown.into_iter().zip(exact) {
+                        // The share's own steps: of its value, or of 1.
+                        let steps = if A::FRACTIONAL_EXPONENTS {
+                            rho / f64::from(1 << 21)
+                        } else {
+                            4.0 * A::UNIT_STEP
+                        };
+                        let relative = match entry.model {
+                            // Glass: its curve is off by 1.4e-4 of 0.04.
+                            "metal" => 3.5e-3,
+                            _ => A::LOBE_ERROR,
+                        };
+                        let bound = k * ((relative + turned) * rho + steps);
+                        let light = f64::from(shown) / f64::from(1 << 24);
+                        let expected = (k * rho).min(1.0);
+                        if (light - expected).abs() > bound + 1.0 / f64::from(1 << 24) {
+                            faults.add(&format!("{}, K = {k}", entry.toml), || {
+                                format!("{set:?}: {light} for {expected}, may be off by {bound:e}")
+                            });
+                        }
+                        graded += u32::from(shown > 0 && shown < 1 << 24);
+                    }
+                }
+            }
+        }
+    }
+    assert!(
+        graded > 50_000,
+        "only {graded} were neither black nor white"
+    );
+}
+
+/// L = V = N in world space, for 1000 normals.
+fn along_any_normal_a_lobe_shows_its_peak<A: Tested>() {
+    let mut faults = Faults::default();
+    let mut rotations = Rotations::new(13);
+    let entries: Vec<_> = registry::all()
+        .into_iter()
+        .map(|entry| (model::<A>(&entry.toml), entry))
+        .collect();
+    // |R − V| is off by at most 24 roundings of a component (frames.rs).
+    let off = 24.0 * 2.0 * A::COMPONENT_ERROR;
+    for _ in 0..1000 {
+        let [n, ..] = rotations.turn([[0.0, 0.0, 1.0]; 2]).map(rounded::<A>);
+        let world = World::new(n, n, n);
+        for (model, entry) in &entries {
+            in_range(&mut faults, &entry.toml, model, &world);
+            let fallen = match entry.model {
+                "phong" | "metallic-phong" => 0.5 * entry.n * off * off,
+                "patch-exponential" => (8.0 * entry.n).sqrt() * off,
+                "patch" => 0.0,
+                _ => continue,
+            };
+            // Phong's N·L may be a few roundings below 1.
+            let least = (-fallen).exp() - A::LOBE_ERROR - off;
+            let share = A::unit_value(model.share(&world).r);
+            if share < least {
+                faults.add(&entry.toml, || {
+                    format!("{share}, at least {least}, at N = {n:?}")
+                });
+            }
+        }
+    }
+}
+
+/// L = −V in world space: one of them is below the horizon, or both lie in
+/// it, and nothing is reflected.
+fn opposite_directions_in_any_frame<A: Tested>() {
+    let mut rotations = Rotations::new(14);
+    let models = models::<A>();
+    for pair in Set::Random.pairs(1.0, 1.0, 200) {
+        let [l, _] = pair;
+        let [n, l, v] = rotations.turn([l, l.map(|c| -c)]).map(rounded::<A>);
+        for (name, model) in &models {
+            for world in [World::new(n, l, v), World::new(n, v, l)] {
+                let shown = bits(model.reflect(&world).to_array());
+                assert!(shown.iter().all(|byte| *byte == 0), "{name}, {world:?}");
+            }
+        }
+    }
+    let [x, z] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(rounded::<A>);
+    let back = rounded::<A>([-1.0, 0.0, 0.0]);
+    for (name, model) in &models {
+        let shown = bits(model.reflect(&World::new(z, x, back)).to_array());
+        assert!(shown.iter().all(|byte| *byte == 0), "{name}");
+    }
+}
+
 /// What only one of the arithmetics can be given.
 mod inputs {
     use super::*;
-    use microbrdf::arithmetic::{F32, Q31};
+    use microbrdf::arithmetic::{Arithmetic as _, F32, Q31};
+    use microbrdf::brdf::MetallicPhong;
     use microbrdf::fixed::types::I2F30;
 
     /// All sequences of `length` of the given values.
@@ -545,6 +665,32 @@ mod inputs {
                     let name = format!("{toml}, in the shading frame");
                     is_zero(&mut faults, &name, &model, &ShadingFrame::new(l, v));
                 }
+            }
+        }
+    }
+
+    /// A gain or a peak that is no number shows as black, an infinite one as
+    /// black, white or the greatest number.
+    #[test]
+    fn gains_and_peaks_that_are_no_numbers_stay_in_range() {
+        let there = frame::<F32>([-0.6, 0.0, 0.8], [0.6, 0.0, 0.8]);
+        let beside = frame::<F32>([-0.6, 0.0, 0.8], [0.0, 0.6, 0.8]);
+        for toml in EACH {
+            let model = model::<F32>(toml);
+            for geometry in [there, beside] {
+                let shown = |gain: f32| F32::linear(model.shade(&Rgb::grey(gain), &geometry));
+                assert_eq!(shown(f32::NAN).to_raw(), [0; 3], "{toml}");
+                assert_eq!(shown(f32::NEG_INFINITY).to_raw(), [0; 3], "{toml}");
+                for value in shown(f32::INFINITY).to_raw() {
+                    assert!(value == 0 || value == 1 << 24, "{toml}: {value}");
+                }
+            }
+        }
+        let lobe = MetallicPhong::<F32>::new(20.0).expect("an exponent");
+        for (peak, greatest) in [(f32::NAN, 0.0), (f32::INFINITY, f32::MAX)] {
+            let lobe = lobe.with_peak(peak);
+            for value in [lobe.reflect(&there).r, lobe.brdf(&there).r] {
+                assert_eq!(value, greatest, "peak {peak}");
             }
         }
     }
