@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::curves::CURVES;
+use crate::steps::{BOUNDS, Step};
 use crate::tolerance::{Exposure, TABLE, Tolerance};
 
 /// `docs/accuracy.md`: the table of tolerances for people.
@@ -31,6 +32,7 @@ pub fn accuracy() -> String {
          2e4 (n > 1e5, s > 350), `q31` shows the last of a share's 31 bits and `q15` that of a \
          table's 25.\n",
     );
+    steps(&mut text);
     text.push_str(
         "\n## Fresnel curves\n\n\
          Greatest error of a metal's tabulated reflectance, in any arithmetic, over every \
@@ -48,6 +50,35 @@ pub fn accuracy() -> String {
         );
     }
     text
+}
+
+/// The table of scalar steps.
+fn steps(text: &mut String) {
+    let names = ["f32", "micromath", "q31", "q15"];
+    text.push_str(
+        "\n## Scalar steps\n\n\
+         Greatest error of each step over every input of 16 bits, spread over where the step is \
+         not constant, each with 64 exponents, sharpnesses, powers, cosines, shares or gains; \
+         2⁻¹² is 0.8 of a code. `tests/tests/exhaustive.rs` runs them all, and fails when a bound \
+         is passed or lies more than a tenth above what is found.\n\n| step, error |",
+    );
+    for name in names {
+        let _ = write!(text, " `{name}` |");
+    }
+    let _ = writeln!(text, "\n| --- |{}", " ---: |".repeat(names.len()));
+    for step in Step::ALL {
+        let _ = write!(text, "| {} |", step.name());
+        for name in names {
+            let bound = BOUNDS
+                .iter()
+                .find(|bound| bound.arithmetic == name && bound.step == step);
+            let _ = match bound {
+                Some(bound) => write!(text, " {:.1e} |", bound.error),
+                None => write!(text, " |"),
+            };
+        }
+        text.push('\n');
+    }
 }
 
 fn line(row: &Tolerance) -> String {

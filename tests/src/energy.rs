@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use microbrdf::arithmetic::{F32, Q31};
+use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
 use microbrdf::brdf::Brdf as _;
 use microbrdf_reference as reference;
 use microbrdf_scene::Material;
@@ -87,7 +87,9 @@ pub fn document() -> String {
          that a lobe of strict energy has none. Dots stand for less than 1e-7.\n",
     );
     section::<F32>(&mut text);
+    section::<Micromath>(&mut text);
     section::<Q31>(&mut text);
+    section::<Q15>(&mut text);
     text
 }
 

@@ -11,6 +11,7 @@ pub mod frame;
 pub mod planted;
 pub mod registry;
 pub mod sampling;
+pub mod steps;
 pub mod tolerance;
 
 /// The example in the project's README compiles.
