@@ -15,7 +15,8 @@ use crate::failure::{During, Failure, Outcome};
 const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
 
 /// Probes, and whether they compute with floats.
-const PROBES: [(&str, bool); 5] = [
+const PROBES: [(&str, bool); 6] = [
+    ("q15", false),
     ("q31", false),
     ("sampling_q31", false),
     ("scene", false),
