@@ -8,10 +8,11 @@
 
 use microbrdf_reference::albedo::directional_albedo_for;
 use microbrdf_reference::brdf::luminance;
-use microbrdf_reference::models::{ALL, Metric, ModelEntry, PatchExponential};
+use microbrdf_reference::models::{ALL, ModelEntry, PatchExponential};
 use microbrdf_reference::quadrature::{Accuracy, Chart, ChartKind, chart_cell};
 use microbrdf_reference::sampling::{Mixture, MixtureMethod, Random, Sampled, Sampler, TwoStep};
 use microbrdf_reference::{Brdf, Direction};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::f64::consts::PI;
 
 const ANGLES: [f64; 5] = [0.0, 30.0, 60.0, 85.0, 89.9];
@@ -22,14 +23,6 @@ const SECTORS: usize = 8;
 /// Significance of each half of the models, 0.01 for both; each test gets its share
 /// (Bonferroni).
 const LEVEL: f64 = 0.005;
-
-/// Upper tail of the chi-square distribution, by Wilson and Hilferty's cube root: within
-/// some per cent of the tail for the 80 or so degrees of freedom here.
-fn tail(chi2: f64, freedom: f64) -> f64 {
-    let t = 2.0 / (9.0 * freedom);
-    let z = ((chi2 / freedom).cbrt() - (1.0 - t)) / t.sqrt();
-    0.5 * libm::erfc(z * std::f64::consts::FRAC_1_SQRT_2)
-}
 
 /// The chart of a model, in a kind that has bins: microfacet lobes don't occur here.
 fn chart_of(model: &dyn Brdf, v: &Direction) -> Chart {
@@ -199,7 +192,9 @@ fn chi_square(counts: &[usize], shares: &[f64]) -> f64 {
         // One sure outcome; whatever else happened was caught above.
         return 1.0;
     }
-    tail(chi2, f64::from(cells - 1))
+    ChiSquared::new(f64::from(cells - 1))
+        .expect("one degree of freedom or more")
+        .sf(chi2)
 }
 
 fn run(model: &dyn Brdf, sampler: &dyn Sampler, v: Direction, seed: u64) -> Outcome {
@@ -329,7 +324,7 @@ fn the_printed_two_step_sampler_has_another_density() {
     let model = PatchExponential::new(4.0).unwrap();
     let v = Direction::from_degrees(85.0, 0.0);
     let printed = TwoStep::new(model, v);
-    let right = Mixture::new(&model, Metric::EUCLIDEAN, model, v, MixtureMethod::Redraw);
+    let right = Mixture::exponential(&model, v, MixtureMethod::Redraw);
     let mut random = Random::new(5);
     let bins = Bins::new(&right, v, chart_of(&model, &v), &mut random);
     let mut counts = vec![0usize; OUTCOMES];

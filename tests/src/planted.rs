@@ -1,5 +1,9 @@
 //! Bugs that are planted to see the tests fail.
 
+mod reference;
+
+pub use reference::REFERENCE_BUGS;
+
 /// One change of the source, and the files of tests that must notice it.
 #[derive(Clone, Copy, Debug)]
 pub struct Bug {
@@ -11,8 +15,15 @@ pub struct Bug {
     pub from: &'static str,
     /// What is put in its place.
     pub to: &'static str,
-    /// Files of `tests/tests/`, each of which has a test that fails.
+    /// The folder of the package whose tests must notice.
+    pub package: &'static str,
+    /// Files of its `tests/`, each of which has a test that fails; `lib` for unit tests.
     pub tests: &'static [&'static str],
+}
+
+/// The bugs of all packages.
+pub fn all() -> impl Iterator<Item = &'static Bug> {
+    BUGS.iter().chain(REFERENCE_BUGS)
 }
 
 const fn bug(
@@ -27,6 +38,7 @@ const fn bug(
         file,
         from,
         to,
+        package: "tests",
         tests,
     }
 }
@@ -41,7 +53,7 @@ const WORLD: &str = "core/src/geometry/world.rs";
 const UNIFORM: &str = "core/src/table/uniform.rs";
 const CURVE: &str = "core/src/table/cosine_curve.rs";
 
-/// All of them.
+/// Bugs of the core.
 pub const BUGS: &[Bug] = &[
     bug(
         "cosΘmin is the smaller cosine",

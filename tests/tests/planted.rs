@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use microbrdf_tests::planted::BUGS;
+use microbrdf_tests::planted::all;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -14,7 +14,7 @@ fn root() -> PathBuf {
 #[test]
 fn each_bugs_place_stands_in_the_source_once() {
     let mut files = BTreeMap::new();
-    for bug in BUGS {
+    for bug in all() {
         let text: &String = files
             .entry(bug.file)
             .or_insert_with(|| fs::read_to_string(root().join(bug.file)).expect(bug.file));
@@ -32,10 +32,14 @@ fn each_bugs_place_stands_in_the_source_once() {
 
 #[test]
 fn each_bug_names_tests_that_exist() {
-    for bug in BUGS {
+    for bug in all() {
         assert!(!bug.tests.is_empty(), "{}", bug.name);
         for test in bug.tests {
-            let path = root().join(format!("tests/tests/{test}.rs"));
+            let path = if *test == "lib" {
+                root().join(bug.package).join("src/lib.rs")
+            } else {
+                root().join(bug.package).join(format!("tests/{test}.rs"))
+            };
             assert!(path.is_file(), "{}: {}", bug.name, path.display());
         }
     }

@@ -11,7 +11,6 @@ use microbrdf::geometry::{Direction, ShadingFrame};
 use microbrdf::sampling::{Drawn, Sample};
 use microbrdf_reference::albedo::directional_albedo_for;
 use microbrdf_reference::brdf::{Brdf, Channel};
-use microbrdf_reference::models::Metric;
 use microbrdf_reference::quadrature::Accuracy;
 use microbrdf_reference::sampling::{Mixture, MixtureMethod, Sampler as _};
 use microbrdf_scene::Material;
@@ -330,13 +329,7 @@ fn a_mixture_rejects_nothing<A: Drawing>() {
         for cosine in COSINES {
             let v = view::<A>(cosine);
             let at = value_of::<A>(&v);
-            let roulette = Mixture::new(
-                &model,
-                Metric::EUCLIDEAN,
-                model,
-                at,
-                MixtureMethod::Roulette,
-            );
+            let roulette = Mixture::exponential(&model, at, MixtureMethod::Roulette);
             let mut numbers = Numbers::new(5);
             for _ in 0..2000 {
                 let drawn = sampler

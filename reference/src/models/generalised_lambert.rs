@@ -125,4 +125,24 @@ mod tests {
         // Taking out the Lambertian of Table 4.3's a_diffuse would leave a negative rest.
         assert!(m.removable_diffuse() < directional_albedo_at(&m, 0.0).value);
     }
+
+    #[test]
+    fn the_profile_is_clipped_at_the_clip() {
+        for (d, clip) in [(1.0, 1.9), (0.3, 1.9), (0.7, 1.2)] {
+            let m = GeneralisedLambert::new(d, clip).unwrap();
+            // L = V at m = 2 sinΘ.
+            let at = |metric: f64| {
+                let l = Direction::from_cosine((1.0 - 0.25 * metric * metric).sqrt(), 0.0);
+                m.eval(&l, &l) / m.eval(&Direction::NORMAL, &Direction::NORMAL)
+            };
+            let greatest = (1.0 - 0.25 * clip * clip).powf(-0.5 * d);
+            for metric in [clip, clip * 1.0002, 0.5 * (clip + 2.0), 2.0] {
+                assert!((at(metric) / greatest - 1.0).abs() < 1e-12, "{d}, {metric}");
+            }
+            let inside = 0.9998 * clip;
+            let expected = (1.0 - 0.25 * inside * inside).powf(-0.5 * d);
+            assert!((at(inside) / expected - 1.0).abs() < 1e-12);
+            assert!(expected < greatest);
+        }
+    }
 }

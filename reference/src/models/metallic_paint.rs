@@ -3,7 +3,6 @@
 use super::patch_exponential::PatchExponential;
 use crate::brdf::luminance;
 use crate::fresnel::Index;
-use crate::models::Metric;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, gold};
 use crate::quadrature::Chart;
@@ -86,7 +85,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
     sampler: Some(|v, visit| {
         let m = MetallicPaint::new(12.0, gold()).expect("in range");
         let shape = PatchExponential::new(12.0).expect("in range");
-        let mixture = Mixture::new(&shape, Metric::EUCLIDEAN, shape, v, MixtureMethod::Redraw);
+        let mixture = Mixture::exponential(&shape, v, MixtureMethod::Redraw);
         visit(&m, &Weighted::new(&m, v, Box::new(mixture)));
     }),
 };

@@ -2,7 +2,6 @@
 
 use crate::error::within;
 use crate::geometry::{below_horizon, metric_squared};
-use crate::models::Metric;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
 use crate::quadrature::{Chart, ChartKind};
@@ -156,7 +155,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
             (1.0, MixtureMethod::Roulette),
         ] {
             let m = PatchExponential::new(s).expect("in range");
-            visit(&m, &Mixture::new(&m, Metric::EUCLIDEAN, m, v, method));
+            visit(&m, &Mixture::exponential(&m, v, method));
         }
     }),
 };

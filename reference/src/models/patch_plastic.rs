@@ -6,7 +6,6 @@ use crate::brdf::luminance;
 use crate::error::channels_within;
 use crate::fresnel::Index;
 use crate::geometry::below_horizon;
-use crate::models::Metric;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, index};
 use crate::quadrature::Chart;
@@ -78,13 +77,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
     sampler: Some(|v, visit| {
         let glass = index(1.5, 0.0);
         let m = PatchPlastic::new([0.5, 0.3, 0.1], 30.0, glass).expect("in range");
-        let highlight = Mixture::new(
-            &m.shape,
-            Metric::EUCLIDEAN,
-            m.shape,
-            v,
-            MixtureMethod::Redraw,
-        );
+        let highlight = Mixture::exponential(&m.shape, v, MixtureMethod::Redraw);
         let body = luminance(m.albedo);
         let parts: Vec<(f64, Box<dyn Sampler>)> = vec![
             (body, Box::new(Cosine::new(&m, v))),

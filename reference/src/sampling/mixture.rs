@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::radii::Radii;
 use super::{Sampled, Sampler};
-use crate::models::Metric;
+use crate::models::{Metric, PatchExponential};
 use crate::quadrature::Accuracy;
 use crate::{Brdf, Direction, albedo};
 
@@ -50,6 +50,11 @@ impl<'a> Mixture<'a> {
             weight,
             mirror: brdf.delta_weight(&v)[0],
         }
+    }
+
+    /// Of the exponential mixture.
+    pub fn exponential(model: &'a PatchExponential, v: Direction, method: MixtureMethod) -> Self {
+        Self::new(model, Metric::EUCLIDEAN, *model, v, method)
     }
 
     fn attempt(&self, random: &mut dyn FnMut() -> f64) -> Option<Sampled> {

@@ -79,7 +79,7 @@ pub fn variance_table(samples: u32) -> Vec<VarianceRow> {
     };
     for degrees in [30.0, 80.0] {
         let v = Direction::from_degrees(degrees, 0.0);
-        let mixed = |method| Mixture::new(&exponential, round, exponential, v, method);
+        let mixed = |method| Mixture::exponential(&exponential, v, method);
         let by_density =
             |method| Mixture::new(&density, round, DensityRadii::new(&density), v, method);
         let by_profile = |method| Mixture::new(&profile, round, profile_radii(), v, method);

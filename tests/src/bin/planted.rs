@@ -9,7 +9,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
 use clap::Parser;
-use microbrdf_tests::planted::{BUGS, Bug};
+use microbrdf_tests::planted::{self, Bug};
 
 /// Plants bugs in a copy of the project, one after the other, and shows
 /// whether the tests notice. Takes about half a minute for each.
@@ -56,7 +56,9 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<bool, Trouble> {
     let only = arguments.only.as_deref().unwrap_or_default();
-    let bugs: Vec<_> = BUGS.iter().filter(|bug| bug.name.contains(only)).collect();
+    let bugs: Vec<_> = planted::all()
+        .filter(|bug| bug.name.contains(only))
+        .collect();
     if bugs.is_empty() {
         return Err(Trouble::Usage(format!(
             "--only {only}: must be part of a bug's name; --list names them"
@@ -75,11 +77,15 @@ fn run(arguments: &Arguments) -> Result<bool, Trouble> {
     copy_tree(&source, &tree, true).map_err(environment)?;
 
     // Without a bug nothing may fail, or nothing is shown.
-    let all: BTreeSet<_> = bugs.iter().flat_map(|bug| bug.tests).copied().collect();
-    let sound = test(arguments, &tree, &all)?;
-    if sound != Outcome::Passed {
-        println!("without a bug: {sound}");
-        return Ok(false);
+    let packages: BTreeSet<_> = bugs.iter().map(|bug| bug.package).collect();
+    for package in packages {
+        let own = bugs.iter().filter(|bug| bug.package == package);
+        let all: BTreeSet<_> = own.flat_map(|bug| bug.tests).copied().collect();
+        let sound = test(arguments, &tree, package, &all)?;
+        if sound != Outcome::Passed {
+            println!("{package}, without a bug: {sound}");
+            return Ok(false);
+        }
     }
     println!("| bug | file | caught by |\n| --- | --- | --- |");
     let mut caught = true;
@@ -88,7 +94,12 @@ fn run(arguments: &Arguments) -> Result<bool, Trouble> {
         let path = tree.join(bug.file);
         let text = fs::read_to_string(&path).map_err(environment)?;
         fs::write(&path, plant(bug, &text)?).map_err(environment)?;
-        let outcome = test(arguments, &tree, &bug.tests.iter().copied().collect())?;
+        let outcome = test(
+            arguments,
+            &tree,
+            bug.package,
+            &bug.tests.iter().copied().collect(),
+        )?;
         fs::write(&path, &text).map_err(environment)?;
         caught &= matches!(outcome, Outcome::Failed(_));
         println!("| {} | `{}` | {outcome} |", bug.name, bug.file);
@@ -139,11 +150,17 @@ impl std::fmt::Display for Outcome {
     }
 }
 
-fn test(arguments: &Arguments, tree: &Path, files: &BTreeSet<&str>) -> Result<Outcome, Trouble> {
+fn test(
+    arguments: &Arguments,
+    tree: &Path,
+    package: &str,
+    files: &BTreeSet<&str>,
+) -> Result<Outcome, Trouble> {
     let mut cargo = Command::new(option_env!("CARGO").unwrap_or("cargo"));
     cargo
         .current_dir(tree)
-        .args(["test", "-p", "microbrdf-tests", "--no-fail-fast", "--quiet"])
+        .args(["test", "--no-fail-fast", "--quiet", "-p"])
+        .arg(format!("microbrdf-{package}"))
         .env("CARGO_TARGET_DIR", arguments.folder.join("target"))
         // Nobody debugs these: they are linked in half the time.
         .env("CARGO_PROFILE_TEST_DEBUG", "0")
@@ -151,7 +168,11 @@ fn test(arguments: &Arguments, tree: &Path, files: &BTreeSet<&str>) -> Result<Ou
         .env("RUST_BACKTRACE", "0")
         .stdin(Stdio::null());
     for file in files {
-        cargo.args(["--test", file]);
+        if *file == "lib" {
+            cargo.arg("--lib");
+        } else {
+            cargo.args(["--test", file]);
+        }
     }
     let output = cargo
         .output()
