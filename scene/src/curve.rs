@@ -27,12 +27,16 @@ pub fn cosine_curve(function: &dyn Fn(f64) -> [f64; 3]) -> CosineCurve {
     for (knot, entry) in entries.iter_mut().enumerate() {
         let inner = knot > 0 && knot < COSINE_KNOTS - 1;
         *entry = [0, 1, 2].map(|channel| {
+            // At the kink of total reflection half of a chord's error would
+            // lift a knot above 1, where the curve itself is not.
+            let near = &values[knot.saturating_sub(1)..(knot + 2).min(COSINE_KNOTS)];
+            let most = near.iter().map(|v| v[channel]).fold(1.0, f64::max);
             let shift = if inner {
                 0.25 * (sags[knot - 1][channel] + sags[knot][channel])
             } else {
                 0.0
             };
-            ((values[knot][channel] - shift) * ONE)
+            ((values[knot][channel] - shift).min(most) * ONE)
                 .round()
                 .clamp(0.0, f64::from(u16::MAX)) as u16
         });

@@ -84,7 +84,9 @@ pub fn document() -> String {
          a coloured material it is the channel that is farthest off. The parameters are those \
          that the arithmetic holds. `tests/tests/energy.rs` bounds the same errors two-sided for \
          every entry of the registry, checks the published overshoot of c_n below n = 2, and \
-         that a lobe of strict energy has none. Dots stand for less than 1e-7.\n",
+         that a lobe of strict energy has none. Dots stand for less than 1e-7. \
+         Where the steps of `q15`'s directions are as wide as a lobe (n = 1e8, s = 4096), the \
+         grid's own directions scatter, and what stands there is that scatter.\n",
     );
     section::<F32>(&mut text);
     section::<Micromath>(&mut text);

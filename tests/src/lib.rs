@@ -8,6 +8,7 @@ pub mod domain;
 pub mod energy;
 pub mod error;
 pub mod frame;
+pub mod fuzz;
 pub mod planted;
 pub mod registry;
 pub mod sampling;

@@ -1,6 +1,7 @@
 //! Steps over the Rust crates.
 
 use std::process::Command;
+use std::time::SystemTime;
 
 use super::counts::{self, Tally};
 use super::{Bench, Step, step};
@@ -71,9 +72,42 @@ fn lint(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
     Ok(tally)
 }
 
+/// Seconds that materials and directions are drawn for.
+const FUZZ_SECONDS: u64 = 30;
+
+/// The fuzz target, each time from another seed.
+fn fuzz(bench: &Bench<'_>) -> Outcome<Tally> {
+    let seed = SystemTime::now()
+        .duration_since(SystemTime::UNIX_EPOCH)
+        .map_or(0, |time| time.as_secs())
+        << 20;
+    println!("seed {seed}");
+    let mut cargo = cargo(
+        bench,
+        &[
+            "test",
+            "-p",
+            "microbrdf-tests",
+            "--locked",
+            "--test",
+            "fuzz",
+        ],
+    );
+    cargo
+        .args(["--", "--nocapture", "--test-threads", "8"])
+        .env("MICROBRDF_FUZZ_SECONDS", FUZZ_SECONDS.to_string())
+        .env("MICROBRDF_FUZZ_SEED", seed.to_string());
+    let output = bench.finish("fuzz", &mut cargo)?;
+    for line in output.lines().filter(|line| line.ends_with(" pairs")) {
+        println!("{line}");
+    }
+    Ok(counts::read(&output))
+}
+
 /// The tests that run on the host, with overflow checks as the profile says.
 pub fn tests() -> Vec<Step> {
-    vec![step("host tests", |bench| {
+    let fuzz = step(format!("fuzz, {FUZZ_SECONDS} s"), fuzz);
+    let host = step("host tests", |bench| {
         let mut cargo = cargo(
             bench,
             &["test", "--workspace", "--locked", "--no-fail-fast"],
@@ -90,7 +124,8 @@ pub fn tests() -> Vec<Step> {
             return Err(Failure::incomplete("cargo test ran no test"));
         }
         Ok(tally)
-    })]
+    });
+    vec![host, fuzz]
 }
 
 /// Documents, the package, licences: what a release needs.
