@@ -50,9 +50,9 @@ impl Gain15 {
             0
         };
         // K < 2^(32 − zeros): from 31 fraction bits to the light's 24.
-        let (up, down) = (32, Self::EXCESS + zeros);
-        let left = if up > down { up - down } else { 0 };
-        let right = if down > up { down - up } else { 0 };
+        let (up, down) = (32u32, Self::EXCESS + zeros);
+        let left = up.saturating_sub(down);
+        let right = down.saturating_sub(up);
         Self {
             // Below one step of the light.
             mantissa: if right < 32 { mantissa } else { 0 },
@@ -251,7 +251,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     fn expose(gain: Gain15, share: U1F31) -> u32 {
         let share = share.to_bits();
         let high = (share >> 16) * gain.mantissa;
-        let product = high + ((share & 0xFFFF) * gain.mantissa >> 16);
+        let product = high + (((share & 0xFFFF) * gain.mantissa) >> 16);
         if product > gain.limit {
             u32::MAX
         } else {

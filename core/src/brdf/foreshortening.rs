@@ -4,7 +4,6 @@ use fixed::types::U0F32;
 
 use super::larger;
 use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
-use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::table::CosinePowerTable;
 
@@ -13,12 +12,7 @@ use crate::table::CosinePowerTable;
 pub trait Foreshortening<A: Arithmetic> {
     /// shape · cosΘL / cosᵖΘmin, the quotient in [0, 1], for cosines that are
     /// not negative.
-    fn attenuate(
-        &self,
-        shape: Rgb<A::Unit>,
-        n_dot_l: A::Component,
-        n_dot_v: A::Component,
-    ) -> Rgb<A::Unit>;
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit;
 
     /// peak · shape / cosᵖΘmin for cosΘmin ≥ 0.
     fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value;
@@ -30,14 +24,8 @@ pub struct Flat;
 
 impl<A: Arithmetic> Foreshortening<A> for Flat {
     #[inline]
-    fn attenuate(
-        &self,
-        shape: Rgb<A::Unit>,
-        n_dot_l: A::Component,
-        _: A::Component,
-    ) -> Rgb<A::Unit> {
-        let cosine = A::cosine(n_dot_l);
-        shape.map(|shape| A::attenuate(shape, cosine))
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, _: A::Component) -> A::Unit {
+        A::attenuate(shape, A::cosine(n_dot_l))
     }
 
     #[inline]
@@ -52,18 +40,12 @@ pub struct Metallic;
 
 impl<A: Arithmetic> Foreshortening<A> for Metallic {
     #[inline]
-    fn attenuate(
-        &self,
-        shape: Rgb<A::Unit>,
-        n_dot_l: A::Component,
-        n_dot_v: A::Component,
-    ) -> Rgb<A::Unit> {
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
         // Half of all directions need no division.
         if n_dot_l >= n_dot_v && n_dot_l > A::COSINE_ZERO {
             return shape;
         }
-        let ratio = A::ratio(n_dot_l, n_dot_v);
-        shape.map(|shape| A::attenuate(shape, ratio))
+        A::attenuate(shape, A::ratio(n_dot_l, n_dot_v))
     }
 
     #[inline]
@@ -120,15 +102,10 @@ const P_RANGE: ParameterError = ParameterError::new("p", "a number from 0 to 1")
 
 impl<A: Arithmetic> Foreshortening<A> for PowerModel<A> {
     #[inline]
-    fn attenuate(
-        &self,
-        shape: Rgb<A::Unit>,
-        n_dot_l: A::Component,
-        n_dot_v: A::Component,
-    ) -> Rgb<A::Unit> {
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
         let rest = A::cosine_power(&self.rest, larger::<A>(n_dot_l, n_dot_v));
-        Foreshortening::<A>::attenuate(&Metallic, shape, n_dot_l, n_dot_v)
-            .map(|shape| A::product(shape, rest))
+        let metallic = Foreshortening::<A>::attenuate(&Metallic, shape, n_dot_l, n_dot_v);
+        A::product(metallic, rest)
     }
 
     #[inline]

@@ -76,12 +76,17 @@ impl<A: Arithmetic> Shape for Lambert<A> {
     }
 
     #[inline]
-    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+    fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
         // The value does not depend on it, but the rule for bad input does.
         if A::is_number(geometry.versine()) {
-            self.albedo
+            A::ONE
         } else {
-            Rgb::grey(A::ZERO)
+            A::ZERO
         }
+    }
+
+    #[inline]
+    fn coloured(&self, share: A::Unit, _: &impl Geometry<A>) -> Rgb<A::Unit> {
+        self.albedo.map(|albedo| A::product(share, albedo))
     }
 }

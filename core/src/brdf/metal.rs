@@ -55,13 +55,14 @@ impl<A: Arithmetic> Shape for Metal<A> {
     }
 
     #[inline]
-    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        let lobe = self.lobe.shape(geometry);
-        if lobe.r == A::ZERO {
-            return lobe;
-        }
+    fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
+        self.lobe.lobe(geometry)
+    }
+
+    #[inline]
+    fn coloured(&self, share: A::Unit, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
         let fresnel = self.reflectance(larger::<A>(n_dot_l, n_dot_v));
-        fresnel.map(|reflectance| A::product(lobe.r, reflectance))
+        fresnel.map(|reflectance| A::product(share, reflectance))
     }
 }

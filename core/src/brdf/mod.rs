@@ -73,11 +73,21 @@ pub trait Shape {
     /// What divides the shape.
     fn foreshortening(&self) -> &Self::Foreshortening;
 
-    /// The shape in [0, 1], per channel, above the horizon.
-    fn shape(
+    /// The colourless part of the shape in [0, 1], above the horizon.
+    fn lobe(
         &self,
         geometry: &impl Geometry<Self::Arithmetic>,
-    ) -> Rgb<<Self::Arithmetic as Arithmetic>::Unit>;
+    ) -> <Self::Arithmetic as Arithmetic>::Unit;
+
+    /// A share of the lobe with the shape's colour; without one it is grey.
+    #[inline]
+    fn coloured(
+        &self,
+        share: <Self::Arithmetic as Arithmetic>::Unit,
+        _: &impl Geometry<Self::Arithmetic>,
+    ) -> Rgb<<Self::Arithmetic as Arithmetic>::Unit> {
+        Rgb::grey(share)
+    }
 }
 
 impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
@@ -86,18 +96,20 @@ impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
         self.amplitude()
     }
 
-    #[inline]
+    // A shading loop calls it once for a material: let the loop hold it.
+    #[inline(always)]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
         if !A::above_horizon(n_dot_l, n_dot_v) {
             return Rgb::grey(A::ZERO);
         }
-        let shape = self.shape(geometry);
+        let lobe = self.lobe(geometry);
         // Most directions lie outside a narrow lobe: spare them the division.
-        if shape == Rgb::grey(A::ZERO) {
-            return shape;
+        if lobe == A::ZERO {
+            return Rgb::grey(lobe);
         }
-        self.foreshortening().attenuate(shape, n_dot_l, n_dot_v)
+        let share = self.foreshortening().attenuate(lobe, n_dot_l, n_dot_v);
+        self.coloured(share, geometry)
     }
 
     #[inline]
@@ -119,7 +131,8 @@ fn tinted_brdf<A: Arithmetic>(
         return Rgb::grey(A::value(peak, A::ZERO));
     }
     let larger = larger::<A>(n_dot_l, n_dot_v);
-    tint.zip(model.shape(geometry), |tint, shape| {
+    let shape = model.coloured(model.lobe(geometry), geometry);
+    tint.zip(shape, |tint, shape| {
         model
             .foreshortening()
             .value(peak, A::product(shape, tint), larger)

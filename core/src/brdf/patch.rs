@@ -5,7 +5,6 @@ use fixed::types::{U2F30, U32F32};
 use super::Shape;
 use super::foreshortening::Flat;
 use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
-use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
 use crate::table::integer::{INVERSE_PI, divide};
@@ -90,8 +89,8 @@ impl<A: Arithmetic> Shape for Patch<A> {
     }
 
     #[inline]
-    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
+    fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
         let inside = geometry.separation() <= self.radius_squared;
-        Rgb::grey(if inside { A::ONE } else { A::ZERO })
+        if inside { A::ONE } else { A::ZERO }
     }
 }

@@ -5,7 +5,6 @@ use fixed::types::U32F32;
 use super::Shape;
 use super::foreshortening::Flat;
 use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
-use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
 use crate::table::integer::{INVERSE_PI, ONE, divide, exp_neg, times};
@@ -141,7 +140,7 @@ impl<A: Arithmetic> Shape for PatchExponential<A> {
     }
 
     #[inline]
-    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        Rgb::grey(self.profile(geometry.separation()))
+    fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
+        self.profile(geometry.separation())
     }
 }

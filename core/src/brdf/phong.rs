@@ -8,7 +8,6 @@ use fixed::types::U32F32;
 use super::Shape;
 use super::foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
 use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
-use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
 use crate::table::integer::INVERSE_PI;
@@ -209,7 +208,7 @@ impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> Shape for PhongLobe<A, X, P> 
     }
 
     #[inline]
-    fn shape(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        Rgb::grey(A::power(&self.power, X::versine(geometry)))
+    fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
+        A::power(&self.power, X::versine(geometry))
     }
 }

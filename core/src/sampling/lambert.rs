@@ -14,7 +14,7 @@ impl<A: Sampling> Sample<A> for Lambert<A> {
             return None;
         }
         let direction = cosine(random)?;
-        let albedo = self.shape(&ShadingFrame::new(direction, *v));
+        let albedo = self.coloured(A::ONE, &ShadingFrame::new(direction, *v));
         Some(Drawn {
             direction,
             weight: albedo.map(|albedo| A::radiance(A::SCALE_ONE, albedo)),

@@ -185,7 +185,7 @@ impl<A: Sampling> Lobe<A> {
         v: &Direction<A>,
     ) -> A::Radiance {
         let share = if A::above_horizon(l.z, v.z) {
-            model.shape(&ShadingFrame::new(*l, *v)).r
+            model.lobe(&ShadingFrame::new(*l, *v))
         } else {
             A::ZERO
         };
@@ -197,12 +197,11 @@ impl<A: Sampling, X: LobeAxis, P: Foreshortening<A>> Sample<A> for PhongLobeSamp
     #[inline]
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
         let direction = self.lobe.draw::<X>(v, random)?;
-        let whole = Rgb::grey(A::ONE);
         let foreshortening = self.model.foreshortening();
-        let ratio = foreshortening.attenuate(whole, direction.z, v.z);
+        let ratio = foreshortening.attenuate(A::ONE, direction.z, v.z);
         Some(Drawn {
             direction,
-            weight: ratio.map(|ratio| A::radiance(self.lobe.gain, ratio)),
+            weight: Rgb::grey(A::radiance(self.lobe.gain, ratio)),
         })
     }
 

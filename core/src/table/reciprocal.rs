@@ -30,7 +30,7 @@ const fn lowered(knot: u32) -> u32 {
     let c = (knot << CELL_BITS) as u64;
     let width = 1u64 << CELL_BITS;
     // width²/8 · (2/c³) · 2²⁸ / 2.
-    let sag = (width * width << (SCALE_BITS - 3)) / (c * c * c);
+    let sag = ((width * width) << (SCALE_BITS - 3)) / (c * c * c);
     let value = ((1u64 << SCALE_BITS) + c / 2) / c - sag;
     if value < 0xFFFF { value as u32 } else { 0xFFFF }
 }

@@ -166,7 +166,7 @@ mod tests {
         let mut worst = [0.0f64; 2];
         let reach = u64::from(table.limit) + u64::from(table.limit >> 6) + 2;
         for i in 0..1u64 << 16 {
-            let coordinate = (i * reach >> 16) as u32;
+            let coordinate = ((i * reach) >> 16) as u32;
             let value = exact(f64::from(coordinate) / f64::from(1 << COORDINATE_BITS));
             if value == 0.0 {
                 continue;
