@@ -32,10 +32,10 @@ pub fn measure(model: &dyn Brdf) -> Measured {
     } else {
         &[0.0, 45.0, 90.0]
     };
-    // Enough for 1e-9 of every smooth model; tables and jumps get as far as they get, and
+    // Enough for 1e-10 of every smooth model; tables and jumps get as far as they get, and
     // the estimates say how far.
     let accuracy = Accuracy {
-        tolerance: 1e-9,
+        tolerance: 5e-11,
         outer_panels: 40,
         inner_panels: 20,
     };
