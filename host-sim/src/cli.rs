@@ -70,6 +70,15 @@ pub enum Command {
         microbrdf plot --figure all --out figures"
     )]
     Plot(Plot),
+    /// Names the cheapest arithmetic and size of table that are exact enough.
+    #[command(
+        after_help = "Cycles and bytes are those that `cargo xtask measure` found for the nearest \
+        material of the model; the error is the pixel error of the material itself on a sphere, \
+        coarse directions included. Status 1 if nothing holds the bounds.\n\n\
+        Example: microbrdf advise --core cortex-m0plus --max-error 0.75 --max-bytes 2000 \\\n    \
+        --material 'model = \"metallic-phong\", exponent = 20'"
+    )]
+    Advise(Advise),
     /// Draws the test card: values and errors where no scene shows them.
     #[command(
         after_help = "Pixels are pairs of directions: across, how far V lies from the mirror \
@@ -263,6 +272,29 @@ pub struct Plot {
     /// What --figure all writes, parted by commas.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "svg,png")]
     pub format: Vec<Format>,
+}
+
+/// `advise`.
+#[derive(Debug, Args)]
+pub struct Advise {
+    /// Core, such as cortex-m0plus, cortex-m3 or rv32imc.
+    #[arg(long)]
+    pub core: String,
+    /// Greatest pixel error in steps of an 8-bit sRGB code, from 0.5.
+    #[arg(long)]
+    pub max_error: f64,
+    /// Most bytes of code and tables.
+    #[arg(long)]
+    pub max_bytes: Option<u64>,
+    /// Material: a TOML table written inline, or a file that holds one.
+    #[arg(long)]
+    pub material: String,
+    /// K, 1e-3 to 2e7: 1 puts a lobe's peak at full scale.
+    #[arg(long, default_value_t = 1.0)]
+    pub exposure: f64,
+    /// Measured data to read in place of the project's.
+    #[arg(long)]
+    pub data: Option<PathBuf>,
 }
 
 /// `chart`.

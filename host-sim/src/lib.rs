@@ -1,5 +1,6 @@
 //! The host simulator as a library: what the command `microbrdf` is made of.
 
+pub mod advice;
 pub mod arithmetic;
 pub mod chart;
 pub mod cli;

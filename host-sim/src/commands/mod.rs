@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod advise;
 mod albedo;
 mod bake;
 mod chart;
@@ -31,6 +32,7 @@ pub fn run(command: &Command) -> Outcome<()> {
         Command::Device(arguments) => device::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Advise(arguments) => advise::run(arguments),
         Command::Chart(arguments) => chart::run(arguments),
         Command::Tables(arguments) => tables::run(arguments),
     }
