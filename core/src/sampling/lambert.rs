@@ -14,7 +14,9 @@ impl<A: Sampling> Sample<A> for Lambert<A> {
             return None;
         }
         let direction = cosine(random)?;
-        let albedo = self.coloured(A::ONE, &ShadingFrame::new(direction, *v));
+        let frame = ShadingFrame::new(direction, *v);
+        // The lobe is 1, or 0 for a V that is not finite.
+        let albedo = self.coloured(self.lobe(&frame), &frame);
         Some(Drawn {
             direction,
             weight: albedo.map(|albedo| A::radiance(A::SCALE_ONE, albedo)),
