@@ -10,6 +10,7 @@ use crate::board::{ARITHMETICS, BOARDS, Board};
 use crate::failure::{Failure, Outcome};
 use crate::firmware::Order;
 use crate::layout::Layout;
+use crate::measure::{self, CORES};
 use crate::setup::Purpose;
 
 const STATUSES: &str = "Exit status: 0 done; 1 ran, but a result is incomplete or differs; \
@@ -26,6 +27,7 @@ pub fn command() -> Command {
         .subcommand(setup())
         .subcommand(firmware())
         .subcommand(demo())
+        .subcommand(measure_command())
         .subcommand(test())
 }
 
@@ -48,7 +50,9 @@ fn setup() -> Command {
             .long("for")
             .value_name("COMMAND")
             .help("What the machine is to be able to run")
-            .value_parser(PossibleValuesParser::new(["firmware", "demo", "test"]))
+            .value_parser(PossibleValuesParser::new([
+                "firmware", "demo", "measure", "test",
+            ]))
             .default_value("test"),
     )
 }
@@ -86,6 +90,32 @@ fn demo() -> Command {
                 .default_value("target/demo"),
         )
         .arg(yes())
+}
+
+fn measure_command() -> Command {
+    subcommand(
+        "measure",
+        "Cost and error of every kernel on every core; makes docs/trade.md anew",
+        "measure --core cortex-m0plus --only q31_gold",
+    )
+    .arg(
+        Arg::new("core")
+            .long("core")
+            .value_name("CORE")
+            .help("Only this core; docs/trade.md is then left as it is")
+            .value_parser(PossibleValuesParser::new(CORES.map(|core| core.name))),
+    )
+    .arg(
+        Arg::new("only")
+            .long("only")
+            .value_name("TEXT")
+            .help("Only kernels with this in their names; docs/trade.md is then left as it is"),
+    )
+    .arg(flag(
+        "set-budgets",
+        "Set budgets.toml to what is found (a raised budget needs a line in CHANGELOG.md)",
+    ))
+    .arg(yes())
 }
 
 fn test() -> Command {
@@ -170,11 +200,22 @@ pub fn order(layout: &Layout, matches: &ArgMatches) -> Outcome<Order> {
     })
 }
 
+/// What `measure` is to measure.
+pub fn measure(matches: &ArgMatches) -> measure::Order {
+    let option = |name: &str| matches.get_one::<String>(name).cloned();
+    measure::Order {
+        core: option("core"),
+        only: option("only"),
+        set_budgets: matches.get_flag("set-budgets"),
+    }
+}
+
 /// What `setup --for` names.
 pub fn purpose(matches: &ArgMatches) -> Purpose {
     match text(matches, "for") {
         "firmware" => Purpose::Firmware,
         "demo" => Purpose::Demo,
+        "measure" => Purpose::Measure,
         _ => Purpose::Test,
     }
 }

@@ -9,6 +9,7 @@ mod failure;
 mod firmware;
 mod host_sim;
 mod layout;
+mod measure;
 mod picture;
 mod qemu;
 mod receiver;
@@ -21,7 +22,6 @@ use std::process::ExitCode;
 
 use clap::ArgMatches;
 
-use board::Board;
 use command::Machine;
 use failure::Outcome;
 use firmware::Order;
@@ -61,12 +61,18 @@ fn run(matches: &ArgMatches) -> Outcome<()> {
             let cross = cross(&layout, Purpose::Demo, &order, options)?;
             demo::command(&layout, &cross, &order, &out)
         }
+        Some(("measure", options)) => {
+            let order = cli::measure(options);
+            let yes = options.get_flag("yes");
+            let cross = setup::ensure(&layout, &Machine, Purpose::Measure, &order.targets(), yes)?;
+            measure::command(&layout, &cross, &order)
+        }
         Some(("test", options)) => {
             if options.get_flag("list") {
                 check::list();
                 return Ok(());
             }
-            let targets = Board::targets();
+            let targets = measure::with_boards();
             let yes = options.get_flag("yes");
             let cross = setup::ensure(&layout, &Machine, Purpose::Test, &targets, yes)?;
             check::run(

@@ -10,6 +10,7 @@ mod oldest;
 mod probes;
 mod python;
 mod rust;
+mod trade;
 
 use std::fmt::Write as _;
 use std::fs::{self, File};
@@ -51,6 +52,7 @@ fn steps() -> Vec<Step> {
     steps.extend(python::steps());
     steps.extend(rust::tests());
     steps.extend(probes::steps());
+    steps.extend(trade::steps());
     steps.extend(emulated::steps());
     steps.extend(bad_input::steps());
     steps.extend(rust::release());

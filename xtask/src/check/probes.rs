@@ -11,8 +11,12 @@ use super::counts::Tally;
 use super::{Bench, Step, step};
 use crate::failure::{During, Failure, Outcome};
 
-/// A core without FPU, whose float operations are calls with names; and one with.
-const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
+/// A core without FPU, whose float operations are calls with names; one with; and a RISC-V core.
+const TARGETS: [&str; 3] = [
+    "thumbv6m-none-eabi",
+    "thumbv7em-none-eabihf",
+    "riscv32imc-unknown-none-elf",
+];
 
 /// Probes, and whether they compute with floats.
 const PROBES: [(&str, bool); 6] = [

@@ -9,10 +9,10 @@ pub mod python;
 #[cfg(test)]
 pub mod script;
 
-use crate::board::Board;
 use crate::command::Runner;
 use crate::failure::{Failure, Outcome};
 use crate::layout::Layout;
+use crate::measure;
 use crate::toolchain::{self, Cross, distribution, sysroot};
 use consent::Asking;
 use offer::Offer;
@@ -25,14 +25,21 @@ pub enum Purpose {
     Firmware,
     /// Build it, run it in an emulator, receive its frame.
     Demo,
-    /// Also everything that is checked.
+    /// Count the cycles of kernels.
+    Measure,
+    /// All of this, and everything that is checked.
     Test,
 }
 
 impl Purpose {
     /// Whether boards are emulated, and their frames received.
     pub fn runs(self) -> bool {
-        self != Self::Firmware
+        matches!(self, Self::Demo | Self::Test)
+    }
+
+    /// Whether kernels are counted.
+    pub fn counts(self) -> bool {
+        matches!(self, Self::Measure | Self::Test)
     }
 }
 
@@ -40,14 +47,14 @@ impl Purpose {
 pub fn command(layout: &Layout, purpose: Purpose, dry_run: bool, yes: bool) -> Outcome<()> {
     let runner = crate::command::Machine;
     if dry_run {
-        let plan = Plan::survey(layout, &runner, purpose, &Board::targets(), false)?;
+        let plan = Plan::survey(layout, &runner, purpose, &measure::with_boards(), false)?;
         if !plan.is_empty() {
             print!("{}", Offer::new(&runner, &plan).words());
             println!("Nothing was changed (--dry-run).");
             return Ok(());
         }
     }
-    let cross = ensure(layout, &runner, purpose, &Board::targets(), yes)?;
+    let cross = ensure(layout, &runner, purpose, &measure::with_boards(), yes)?;
     println!("{}", cross.chosen(layout));
     println!("Nothing is missing.");
     Ok(())
@@ -163,6 +170,7 @@ fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: &Local) -
             sysroot::build(layout, &compiler, targets)
         }
         Local::Venv => python::install(layout),
+        Local::Counter => python::install_counter(layout),
         Local::CargoDeny => deny::install(layout),
     }
 }

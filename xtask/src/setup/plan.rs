@@ -27,6 +27,8 @@ pub enum Local {
     Sysroot(Vec<&'static str>),
     /// The virtual environment with the receiver.
     Venv,
+    /// The counter of cycles, in the same environment.
+    Counter,
     /// cargo-deny, from crates.io.
     CargoDeny,
 }
@@ -42,6 +44,7 @@ impl Local {
                 )
             }
             Self::Venv => "virtual environment with the receiver (target/venv)".to_string(),
+            Self::Counter => "counter of cycles, with its emulator (target/venv)".to_string(),
             Self::CargoDeny => {
                 format!(
                     "cargo-deny {}, built from crates.io (about 1 min)",
@@ -72,12 +75,25 @@ impl Plan {
             plan.packages
                 .push(("qemu-system-arm", "emulator of the boards"));
         }
-        if purpose.runs() && !python::current(layout) {
+        if purpose.counts() {
+            for (program, package) in [("verilator", "verilator"), ("g++", "g++"), ("make", "make")]
+            {
+                if !runner.has(program) {
+                    plan.packages
+                        .push((package, "simulator of a RISC-V core from its source"));
+                }
+            }
+        }
+        let python = purpose.runs() || purpose.counts();
+        if python && !python::current(layout) {
             if !python::can_make_venv(runner) {
                 plan.packages
                     .push(("python3-venv", "virtual environment for the receiver"));
             }
             plan.local.push(Local::Venv);
+        }
+        if purpose.counts() && !python::counter_current(layout) {
+            plan.local.push(Local::Counter);
         }
         if purpose == Purpose::Test && deny::program(layout, runner).is_none() {
             plan.local.push(Local::CargoDeny);

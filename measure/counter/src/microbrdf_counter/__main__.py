@@ -1,0 +1,7 @@
+"""``python -m microbrdf_counter``."""
+
+import sys
+
+from microbrdf_counter.cli import main
+
+sys.exit(main())

@@ -1,0 +1,99 @@
+"""The command ``microbrdf-count``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from microbrdf_counter.ibex import build
+from microbrdf_counter.ibex import kernel as ibex_kernel
+from microbrdf_counter.ibex.simulator import CannotBuild, Fails
+from microbrdf_counter.kernel import Differs, measure
+from microbrdf_counter.machine import Stray
+from microbrdf_counter.results import compare
+from microbrdf_counter.timings import TIMINGS
+from microbrdf_counter.timings.timing import UnknownInstruction
+
+_EXAMPLE = (
+    "Example: microbrdf-count --target thumbv6m-none-eabi --images target/measure/images "
+    "--calls target/measure/calls.json -o target/measure/thumbv6m.json"
+)
+_STATUSES = (
+    "Exit status: 0 done; 1 a result differs from the host's; 2 a mistake in the call; "
+    "3 verilator is missing."
+)
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="microbrdf-count",
+        description="Runs kernels on an emulated core and estimates their cycles, or counts them.",
+        epilog=f"{_EXAMPLE} {_STATUSES}",
+    )
+    parser.add_argument("--target", required=True, choices=[*sorted(TIMINGS), ibex_kernel.TARGET])
+    parser.add_argument("--images", required=True, type=Path, help="folder with NAME.elf")
+    parser.add_argument("--calls", required=True, type=Path, help="what to call each with")
+    parser.add_argument("-o", dest="output", type=Path, help="file to write")
+    parser.add_argument(
+        "--results", action="store_true", help="only compare results; nothing is counted"
+    )
+    return parser.parse_args()
+
+
+def _one(job: tuple[Path, str, dict[str, Any]]) -> dict[str, Any]:
+    return measure(*job)
+
+
+def _one_on_ibex(job: tuple[Path, Path, dict[str, Any]]) -> dict[str, Any]:
+    return ibex_kernel.measure(*job)
+
+
+def _all(target: str, images: Path, calls: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """What every kernel costs; as many at a time as the machine has cores."""
+    paths = [images / f"{kernel['kernel']}.elf" for kernel in calls]
+    with ProcessPoolExecutor(os.cpu_count()) as pool:
+        if target != ibex_kernel.TARGET:
+            return list(pool.map(_one, zip(paths, [target] * len(paths), calls)))
+        program = build(images.parent / "ibex")
+        return list(pool.map(_one_on_ibex, zip([program] * len(paths), paths, calls)))
+
+
+def _compare(target: str, images: Path, calls: list[dict[str, Any]]) -> int:
+    for kernel in calls:
+        name = kernel["kernel"]
+        compared = compare(images / f"{name}.elf", target, kernel)
+        print(f"{name} for {target}: {compared} as on the host")
+    return 0 if calls else 1
+
+
+def main() -> int:
+    """Runs the command and returns its exit status."""
+    arguments = _arguments()
+    try:
+        calls = json.loads(arguments.calls.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        print(f"error: {arguments.calls}: {error}", file=sys.stderr)
+        return 2
+    if not arguments.results and arguments.output is None:
+        print("error: -o is missing: where to write what is counted", file=sys.stderr)
+        return 2
+    try:
+        if arguments.results:
+            return _compare(arguments.target, arguments.images, calls)
+        found = _all(arguments.target, arguments.images, calls)
+    except CannotBuild as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 3
+    except (Differs, Fails, Stray, UnknownInstruction) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    arguments.output.write_text(json.dumps(found), encoding="utf-8")
+    return 0

@@ -1,0 +1,64 @@
+"""Measures one kernel over its calls."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from microbrdf_counter.count import classes, cycles
+from microbrdf_counter.image import Image
+from microbrdf_counter.machine import Machine
+from microbrdf_counter.timings import TIMINGS
+
+
+class Differs(Exception):
+    """A result is not the one that the host gives."""
+
+
+def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
+    """Runs a kernel's calls and sums up what they cost, core by core.
+
+    Raises:
+        Differs: A result is not the one that the host computed.
+    """
+    image = Image.read(path)
+    machine = Machine(image, target)
+    timings = TIMINGS[target]
+    costs: dict[str, dict[str, list[int]]] = {core: {} for core in timings}
+    instructions: dict[str, list[int]] = {}
+    kinds: Counter[str] = Counter()
+    stack = 0
+    for group in calls["groups"]:
+        name = group["kind"]
+        instructions[name] = []
+        for of_core in costs.values():
+            of_core[name] = []
+        for call in group["calls"]:
+            wanted = call["results"]
+            count = len(wanted) if call["in_memory"] else 0
+            trace = machine.call(call["arguments"], call["memory"], count)
+            if trace.results != wanted:
+                raise Differs(
+                    f"{calls['kernel']} for {target} gives {trace.results} for "
+                    f"{call['arguments']} {call['memory']}, the host {wanted}"
+                )
+            stack = max(stack, trace.stack)
+            instructions[name].append(len(trace.addresses))
+            if name == "lobe":
+                kinds += classes(machine.code, trace)
+            for core, timing in timings.items():
+                costs[core][name].append(cycles(machine.code, trace, timing))
+    total = max(1, len(instructions["lobe"]))
+    return {
+        "kernel": calls["kernel"],
+        "target": target,
+        "code_bytes": image.code_bytes,
+        "table_bytes": image.table_bytes,
+        "ram_bytes": image.ram_bytes,
+        "stack_bytes": stack,
+        "instructions": instructions,
+        "kinds": {kind: times / total for kind, times in sorted(kinds.items())},
+        "clock_models": {core: timing.clock_model for core, timing in timings.items()},
+        "cycles": costs,
+    }

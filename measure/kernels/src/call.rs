@@ -1,0 +1,159 @@
+//! How a kernel is called, and what is known of it.
+
+/// Three components of 32 bits, an `f32` or a fixed-point number, behind a
+/// pointer.
+pub type Vector<'a> = &'a [u32; 3];
+
+/// Three components of 16 bits, by value.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Short {
+    /// First component.
+    pub x: i16,
+    /// Second component.
+    pub y: i16,
+    /// Third component.
+    pub z: i16,
+}
+
+#[cfg(not(target_os = "none"))]
+impl Short {
+    /// From the components' bits.
+    fn new([x, y, z]: [u32; 3]) -> Self {
+        let [x, y, z] = [x, y, z].map(|bits| bits as i16);
+        Self { x, y, z }
+    }
+
+    /// The words that a call passes it in.
+    fn words(self) -> [u32; 2] {
+        let low = |component: i16| u32::from(component as u16);
+        [low(self.x) | low(self.y) << 16, low(self.z)]
+    }
+}
+
+/// Linear red, green and blue, 24 fraction bits.
+pub type Light = [u32; 3];
+
+/// A kernel's signature, with the function.
+#[cfg(not(target_os = "none"))]
+#[derive(Clone, Copy, Debug)]
+pub enum Call {
+    /// L and V in the shading frame to one channel.
+    Grey(for<'a> extern "C" fn(Vector<'a>, Vector<'a>) -> u32),
+    /// L and V in the shading frame to three channels.
+    Colour(for<'a> extern "C" fn(Vector<'a>, Vector<'a>, &mut Light)),
+    /// N, L and V in world space to three channels, or three numbers.
+    World(for<'a> extern "C" fn(Vector<'a>, Vector<'a>, Vector<'a>, &mut Light)),
+    /// As [`Self::Grey`], with components of 16 bits.
+    ShortGrey(extern "C" fn(Short, Short) -> u32),
+    /// As [`Self::Colour`], with components of 16 bits.
+    ShortColour(extern "C" fn(Short, Short, &mut Light)),
+    /// As [`Self::World`], with components of 16 bits.
+    ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
+    /// A number to a number.
+    Number(extern "C" fn(u32) -> u32),
+}
+
+/// A kernel and what it computes.
+#[cfg(not(target_os = "none"))]
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    /// Its symbol.
+    pub name: &'static str,
+    /// The arithmetic whose directions it takes.
+    pub arithmetic: &'static str,
+    /// What sets it apart from others of the same arithmetic.
+    pub variant: &'static str,
+    /// The model, as in material files; or a step's name.
+    pub model: &'static str,
+    /// The material's fields, as in material files.
+    pub fields: &'static str,
+    /// Exponent of a lobe that is about as wide: where samples are taken.
+    pub width: f64,
+    /// The exposure, in words: `1` or `c`.
+    pub exposure: &'static str,
+    /// The exposure K.
+    pub k: f64,
+    /// The function.
+    pub call: Call,
+}
+
+/// What a kernel is given: words in the order of its parameters.
+#[cfg(not(target_os = "none"))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Input {
+    /// N, L and V, or of these what the kernel takes; or its number in the
+    /// first place.
+    pub vectors: [[u32; 3]; 3],
+}
+
+/// Registers and memory of a call, for an emulator.
+#[cfg(not(target_os = "none"))]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// Words of the arguments, in order.
+    pub arguments: Vec<u32>,
+    /// Words that lie in memory from the base on.
+    pub memory: Vec<u32>,
+    /// What comes back: in the result's register, or from the memory after
+    /// the given words.
+    pub results: Vec<u32>,
+    /// Whether it comes back in memory.
+    pub in_memory: bool,
+}
+
+#[cfg(not(target_os = "none"))]
+impl Kernel {
+    /// Whether the kernel takes N beside L and V.
+    #[must_use]
+    pub fn takes_normal(&self) -> bool {
+        matches!(self.call, Call::World(_) | Call::ShortWorld(_))
+    }
+
+    /// Calls the kernel here, and says how an emulator would call it with its
+    /// memory at `base`.
+    #[must_use]
+    pub fn run(&self, input: &Input, base: u32) -> Run {
+        let [n, l, v] = &input.vectors;
+        let mut light = Light::default();
+        let pointers = |count: u32| (0..=count).map(|i| base + 12 * i).collect();
+        let (arguments, memory, results) = match self.call {
+            Call::Grey(function) => {
+                let result = function(l, v);
+                (vec![base, base + 12], [*l, *v].concat(), vec![result])
+            }
+            Call::Colour(function) => {
+                function(l, v, &mut light);
+                (pointers(2), [*l, *v].concat(), light.to_vec())
+            }
+            Call::World(function) => {
+                function(n, l, v, &mut light);
+                (pointers(3), [*n, *l, *v].concat(), light.to_vec())
+            }
+            Call::ShortGrey(function) => {
+                let [l, v] = [*l, *v].map(Short::new);
+                let words = [l, v].map(Short::words).concat();
+                (words, Vec::new(), vec![function(l, v)])
+            }
+            Call::ShortColour(function) => {
+                let [l, v] = [*l, *v].map(Short::new);
+                function(l, v, &mut light);
+                let words = [l, v].map(Short::words).concat();
+                ([words, vec![base]].concat(), Vec::new(), light.to_vec())
+            }
+            Call::ShortWorld(function) => {
+                let [n, l, v] = input.vectors.map(Short::new);
+                function(n, l, v, &mut light);
+                let words = [n, l, v].map(Short::words).concat();
+                ([words, vec![base]].concat(), Vec::new(), light.to_vec())
+            }
+            Call::Number(function) => (vec![n[0]], Vec::new(), vec![function(n[0])]),
+        };
+        Run {
+            arguments,
+            memory,
+            in_memory: results.len() > 1,
+            results,
+        }
+    }
+}

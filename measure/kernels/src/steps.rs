@@ -1,0 +1,71 @@
+//! Single steps: dot products, and the encoding of one channel.
+
+use microbrdf::arithmetic::Arithmetic;
+use microbrdf::shade::srgb8;
+
+use crate::call::Light;
+#[cfg(not(target_os = "none"))]
+use crate::call::{Call, Kernel};
+
+/// Linear light with 24 fraction bits to an 8-bit sRGB code.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "srgb8")]
+pub extern "C" fn srgb(linear: u32) -> u32 {
+    u32::from(srgb8(linear))
+}
+
+/// N·L, N·V and L·V.
+macro_rules! dots {
+    ($way:ident, $arithmetic:ty) => {
+        pub mod $way {
+            use super::*;
+            use crate::ways::$way::{Vector, bits, direction};
+
+            type A = $arithmetic;
+
+            /// N·L, N·V and L·V, as their bits.
+            #[allow(unsafe_code)]
+            #[unsafe(export_name = concat!(stringify!($way), "_dots"))]
+            pub extern "C" fn dots(n: Vector<'_>, l: Vector<'_>, v: Vector<'_>, out: &mut Light) {
+                let (n, l, v) = (direction(n), direction(l), direction(v));
+                *out = [A::dot(&n, &l), A::dot(&n, &v), A::dot(&l, &v)].map(bits);
+            }
+        }
+    };
+}
+
+dots!(f32, microbrdf::arithmetic::F32);
+dots!(q31, microbrdf::arithmetic::Q31);
+dots!(q15, microbrdf::arithmetic::Q15);
+
+/// What they are.
+#[cfg(not(target_os = "none"))]
+pub(crate) const KERNELS: &[Kernel] = &[
+    step("srgb8", "integer", "srgb8", Call::Number(srgb)),
+    step("f32_dots", "f32", DOTS, Call::World(f32::dots)),
+    step("q31_dots", "q31", DOTS, Call::World(q31::dots)),
+    step("q15_dots", "q15", DOTS, Call::ShortWorld(q15::dots)),
+];
+
+#[cfg(not(target_os = "none"))]
+const DOTS: &str = "three dot products";
+
+#[cfg(not(target_os = "none"))]
+const fn step(
+    name: &'static str,
+    arithmetic: &'static str,
+    model: &'static str,
+    call: Call,
+) -> Kernel {
+    Kernel {
+        name,
+        arithmetic,
+        variant: "core",
+        model,
+        fields: "",
+        width: 1.0,
+        exposure: "1",
+        k: 1.0,
+        call,
+    }
+}
