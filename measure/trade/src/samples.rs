@@ -76,12 +76,19 @@ fn model(subject: &Subject, count: usize) -> Vec<Group> {
     usual.truncate(count);
     // Every third pair of `Outside` lies beyond the lobe, the others below
     // the horizon.
-    let outside = Samples::Whole(Set::Outside).pairs(subject, 3 * count / 4);
+    let outside = Samples::Whole(Set::Outside).pairs(subject, 3 * count);
     let (mut beyond, mut unlit) = (Vec::new(), Vec::new());
     for pair in outside {
-        let lit = pair[0][2] >= 0.0 && pair[1][2] >= 0.0;
-        if lit { &mut beyond } else { &mut unlit }.push(pair);
+        let lower = pair[0][2].min(pair[1][2]);
+        if lower >= 0.0 {
+            beyond.push(pair);
+        } else if lower < -1e-3 {
+            // A cosine nearer to 0 can round to it.
+            unlit.push(pair);
+        }
     }
+    beyond.truncate(count / 4);
+    unlit.truncate(count / 4);
     let mut other = Vec::new();
     for set in [Set::Mirror, Set::Grazing, Set::Random, Set::Lobe] {
         other.extend(Samples::Whole(set).pairs(subject, count / 16));
