@@ -93,8 +93,8 @@ pub const BUGS: &[Bug] = &[
     bug(
         "green and blue swapped in an albedo",
         "core/src/brdf/lambert.rs",
-        "            self.albedo\n",
-        "            Rgb { r: self.albedo.r, g: self.albedo.b, b: self.albedo.g }\n",
+        "self.albedo.map(|albedo| A::product(share, albedo))",
+        "Rgb { r: self.albedo.r, g: self.albedo.b, b: self.albedo.g }.map(|albedo| A::product(share, albedo))",
         &["values"],
     ),
     bug(
