@@ -17,6 +17,18 @@ impl Brdf for Nothing {
     }
 }
 
+/// Instructions for one evaluation of each model, as they were counted by `count_cost`.
+pub const DATA: &str = include_str!("../data/cost.csv");
+
+/// The rows of [`DATA`]: a model's name and its count.
+pub fn kept() -> Vec<(String, f64)> {
+    DATA.lines()
+        .filter(|l| !l.starts_with('#') && !l.starts_with("model"))
+        .filter_map(|l| l.split_once(','))
+        .filter_map(|(name, n)| Some((name.to_owned(), n.trim().parse().ok()?)))
+        .collect()
+}
+
 /// The name of the loop without a model.
 pub const OVERHEAD: &str = "overhead";
 
@@ -106,6 +118,13 @@ pub fn instructions(report: &str) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_model_was_counted() {
+        let counted: Vec<String> = kept().into_iter().map(|(name, _)| name).collect();
+        let models: Vec<&str> = ALL.iter().map(|m| m.name).collect();
+        assert_eq!(counted, models);
+    }
 
     #[test]
     fn reports_are_read() {

@@ -7,9 +7,6 @@ use crate::models::registry::NAMED_ONLY;
 use crate::sampling::{Efficiency, variance_table};
 use std::fmt::Write as _;
 
-/// Instructions for one evaluation of each model, counted by callgrind (see `cost.csv` there).
-const COST: &str = include_str!("../data/cost.csv");
-
 /// Samples for each row of the table of variances.
 const SAMPLES: u32 = 200_000;
 
@@ -33,7 +30,7 @@ pub fn models_markdown() -> String {
 /// The same from measurements that are at hand.
 pub fn models_markdown_of(measured: &[Vec<Measured>]) -> String {
     let mut out = String::from(HEAD);
-    let costs = costs();
+    let costs = crate::cost::kept();
     let phong = cost_of(&costs, "phong");
     for (entry, measured) in ALL.iter().zip(measured) {
         let examples = (entry.examples)();
@@ -108,14 +105,6 @@ fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
-fn costs() -> Vec<(String, f64)> {
-    COST.lines()
-        .filter(|l| !l.starts_with('#') && !l.starts_with("model"))
-        .filter_map(|l| l.split_once(','))
-        .filter_map(|(name, n)| Some((name.to_owned(), n.trim().parse().ok()?)))
-        .collect()
-}
-
 fn cost_of(costs: &[(String, f64)], name: &str) -> Option<f64> {
     costs.iter().find(|(n, _)| n == name).map(|(_, c)| *c)
 }
@@ -125,7 +114,10 @@ fn cost_section(costs: &[(String, f64)]) -> String {
         (Some(a), Some(b)) => format!("{:.2}", a / b),
         _ => "–".into(),
     };
-    let comments: Vec<&str> = COST.lines().filter_map(|l| l.strip_prefix("# ")).collect();
+    let comments: Vec<&str> = crate::cost::DATA
+        .lines()
+        .filter_map(|l| l.strip_prefix("# "))
+        .collect();
     format!(
         "\n## Cost beside the thesis' claims\n\n{}\n\n\
          | claim | here |\n| --- | --- |\n\
