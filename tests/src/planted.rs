@@ -356,13 +356,14 @@ pub const BUGS: &[Bug] = &[
         "if coordinate == u32::MAX {",
         &["values"],
     ),
-    bug(
-        "a ratio of cosines passes 1",
-        "core/src/table/reciprocal.rs",
-        "((a * reciprocal) >> (SCALE_BITS - 20)).min(1 << 20)",
-        "(a * reciprocal) >> (SCALE_BITS - 20)",
-        &["physics"],
-    ),
+    Bug {
+        name: "a ratio of cosines passes 1",
+        file: "core/src/table/reciprocal.rs",
+        from: "((a * reciprocal) >> (SCALE_BITS - 20)).min(1 << 20)",
+        to: "(a * reciprocal) >> (SCALE_BITS - 20)",
+        package: "core",
+        tests: &["lib"],
+    },
     bug(
         "exposed light wraps around (q15)",
         "core/src/arithmetic/q15.rs",
