@@ -8,6 +8,7 @@
 //! immediate abort there would be no handler, and the proof none.)
 #![cfg_attr(target_os = "none", no_std)]
 
+mod fixed_point;
 #[cfg(target_os = "none")]
 mod handler;
 

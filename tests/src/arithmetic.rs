@@ -97,7 +97,7 @@ impl MathErrors for Libm {
 }
 
 impl MathErrors for Approximate {
-    // Tested in `tests/micromath.rs`.
+    // Of `Micromath`'s documentation; held by `frames.rs` and `energy.rs`.
     const LOBE_ERROR: f64 = 4e-3;
     const LOBE_FLOOR: f64 = 2e-5;
     const CODE_ERROR: f64 = 0.71;
@@ -146,7 +146,7 @@ macro_rules! fixed_point {
         impl<const SIZE: usize> Tested for $arithmetic<SIZE> {
             const FRACTIONAL_EXPONENTS: bool = false;
             const COMPONENT_ERROR: f64 = 1.0 / (1u64 << $component) as f64;
-            // The table's, tested in `tests/tables.rs`.
+            // The table's: `tests/tables.rs` for q31, `table::scaled::tests` for q15.
             const LOBE_ERROR: f64 = $lobe;
             const UNIT_STEP: f64 = 1.0 / (1u64 << $unit) as f64;
             const LOBE_FLOOR: f64 = 0.0;

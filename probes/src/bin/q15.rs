@@ -6,55 +6,8 @@ fn main() {}
 
 #[cfg(target_os = "none")]
 mod probe {
-    use core::hint::black_box;
-
-    use microbrdf::Rgb;
     use microbrdf::arithmetic::{Gain15, Q15};
-    use microbrdf::brdf::{
-        Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, Phong, Plastic, PowerModel,
-        RetroPhong,
-    };
-    use microbrdf::fixed::types::{I2F14, U0F32, U1F31, U2F30, U32F32};
-    use microbrdf::table::{COSINE_KNOTS, CosineCurve};
-    use microbrdf_probes::evaluate;
+    use microbrdf::fixed::types::I2F14;
 
-    type A = Q15<65>;
-
-    #[allow(unsafe_code)]
-    #[unsafe(no_mangle)]
-    extern "C" fn _start() -> ! {
-        let components = [0u8; 9].map(|_| I2F14::from_bits(black_box(0)));
-        let gain = Gain15::new(U32F32::from_bits(black_box(0)));
-        let parameter = || U32F32::from_bits(black_box(0));
-        let share = || Rgb::grey(U1F31::from_bits(black_box(0)));
-        if let Ok(model) = Lambert::<A>::new(share()) {
-            evaluate(&model, components, gain);
-        }
-        if let Ok(model) = Phong::<A>::new(parameter()) {
-            evaluate(&model, components, gain);
-        }
-        if let Ok(model) = RetroPhong::<A>::new(parameter()) {
-            evaluate(&model, components, gain);
-        }
-        if let Ok(model) = MetallicPhong::<A>::new(parameter()) {
-            evaluate(&model, components, gain);
-            let curve = CosineCurve::from_entries(black_box([[0; 3]; COSINE_KNOTS]));
-            evaluate(&Metal::new(model, curve), components, gain);
-        }
-        if let Ok(p) = PowerModel::<A>::new(U0F32::from_bits(black_box(0)))
-            && let Ok(model) = PModel::<A>::with_foreshortening(parameter(), p)
-        {
-            evaluate(&model, components, gain);
-        }
-        if let Ok(model) = Patch::<A>::new(U2F30::from_bits(black_box(0))) {
-            evaluate(&model, components, gain);
-        }
-        if let Ok(model) = PatchExponential::<A>::new(parameter()) {
-            evaluate(&model, components, gain);
-        }
-        if let Ok(model) = Plastic::<A>::new(share(), share(), parameter()) {
-            evaluate(&model, components, gain);
-        }
-        loop {}
-    }
+    microbrdf_probes::every_model!(Q15<65>, I2F14, Gain15);
 }
