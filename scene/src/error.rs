@@ -1,5 +1,6 @@
 //! What is wrong with a file, and where.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// A mistake in a scene or material file, with the place where it stands.
@@ -59,7 +60,31 @@ impl Fault {
         SceneError {
             source_name: source_name.to_owned(),
             place: Some((line, column)),
-            message: self.message,
+            message: one_line(&self.message),
         }
     }
+}
+
+/// Greatest number of characters of a name or a value in a message.
+const SHOWN: usize = 60;
+
+/// A name or a value, cut to what a person reads.
+pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(SHOWN) {
+        None => Cow::Borrowed(text),
+        Some((end, _)) => Cow::Owned(format!("{}…", &text[..end])),
+    }
+}
+
+/// The text with what would end its line, or ring a bell, escaped.
+fn one_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for character in text.chars() {
+        if character.is_control() {
+            line.extend(character.escape_default());
+        } else {
+            line.push(character);
+        }
+    }
+    line
 }

@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
-use crate::error::SceneError;
+use crate::error::{Fault, SceneError};
 
 /// Greatest size of a scene or material file.
-const GREATEST_SIZE: u64 = 16 << 20;
+const GREATEST_SIZE: u64 = 1 << 20;
 
 /// Reads a text file.
 ///
 /// # Errors
-/// The file is missing, is no readable file, is larger than 16 MiB or is not
+/// The file is missing, is no readable file, is larger than 1 MiB or is not
 /// UTF-8.
 pub fn read(path: &Path) -> Result<String, SceneError> {
     let fault = |message: String| SceneError {
@@ -30,9 +30,9 @@ pub fn read(path: &Path) -> Result<String, SceneError> {
     }
     let bytes = std::fs::read(path).map_err(|error| fault(format!("can't be read: {error}")))?;
     String::from_utf8(bytes).map_err(|error| {
-        fault(format!(
-            "is not UTF-8 text from byte {} on",
-            error.utf8_error().valid_up_to()
-        ))
+        let end = error.utf8_error().valid_up_to();
+        let before = String::from_utf8_lossy(&error.as_bytes()[..end]);
+        Fault::new(end, format!("is not UTF-8 text from byte {end} on"))
+            .within(&path.display().to_string(), &before)
     })
 }

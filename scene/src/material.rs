@@ -217,10 +217,25 @@ fn reflectance(table: &Table<'_, '_>) -> Result<Reflectance, Fault> {
 
 /// Parses a document.
 pub(crate) fn parse(text: &str) -> Result<toml::Spanned<toml::de::DeTable<'_>>, Fault> {
-    toml::de::DeTable::parse(text).map_err(|error| {
-        Fault::new(
-            error.span().map_or(0, |span| span.start),
-            error.message().to_owned(),
-        )
+    toml::de::DeTable::parse(text).map_err(|error| match error.span() {
+        Some(span) => Fault::new(span.start, error.message().to_owned()),
+        None => Fault::new(
+            deepest_key(text),
+            format!("{}: a key has too many parts", error.message()),
+        ),
     })
+}
+
+/// Where the key of the most parts stands: the parser does not say.
+fn deepest_key(text: &str) -> usize {
+    let mut start = 0;
+    let mut deepest = (0, 0);
+    for line in text.split_inclusive('\n') {
+        let dots = line.matches('.').count();
+        if dots > deepest.0 {
+            deepest = (dots, start);
+        }
+        start += line.len();
+    }
+    deepest.1
 }

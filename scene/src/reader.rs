@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::Fault;
+use crate::error::{Fault, shortened};
 
 /// A table from which fields are taken; what nobody took is an error.
 pub(crate) struct Table<'t, 'i> {
@@ -55,8 +55,9 @@ impl<'t, 'i> Table<'t, 'i> {
     }
 
     fn path(&self, field: &str) -> String {
+        let field = shortened(field);
         if self.name.is_empty() {
-            field.to_owned()
+            field.into_owned()
         } else {
             format!("{}.{field}", self.name)
         }
@@ -83,7 +84,7 @@ impl<'t, 'i> Table<'t, 'i> {
     fn missing(&self, field: &str) -> Fault {
         let misspelt = self.entries.iter().find(|(key, _)| {
             let name: &str = key.get_ref();
-            strsim::damerau_levenshtein(name, field) <= 2 && !self.known.borrow().contains(&name)
+            is_near(name, field) && !self.known.borrow().contains(&name)
         });
         match misspelt {
             Some((key, _)) => Fault::new(
@@ -91,7 +92,7 @@ impl<'t, 'i> Table<'t, 'i> {
                 format!(
                     "{}unknown field `{}`; did you mean `{field}`?",
                     self.prefix(),
-                    key.get_ref()
+                    shortened(key.get_ref())
                 ),
             ),
             None => self.fault(format!("the field `{field}` is missing")),
@@ -124,7 +125,7 @@ impl<'t, 'i> Table<'t, 'i> {
             }
             let nearest = known
                 .iter()
-                .filter(|known| strsim::damerau_levenshtein(known, field) <= 2)
+                .filter(|known| is_near(field, known))
                 .min_by_key(|known| strsim::damerau_levenshtein(known, field));
             let hint = match nearest {
                 Some(nearest) => format!("did you mean `{nearest}`?"),
@@ -132,21 +133,45 @@ impl<'t, 'i> Table<'t, 'i> {
             };
             return Err(Fault::new(
                 key.span().start,
-                format!("{}unknown field `{field}`; {hint}", self.prefix()),
+                format!(
+                    "{}unknown field `{}`; {hint}",
+                    self.prefix(),
+                    shortened(field)
+                ),
             ));
         }
         Ok(())
     }
 }
 
-/// `a, b and c`.
+/// Whether `written` may be a slip for `name`.
+fn is_near(written: &str, name: &str) -> bool {
+    // The distance takes time and room for each pair of letters.
+    written.len() <= 40 && strsim::damerau_levenshtein(written, name) <= 2
+}
+
+/// Greatest number of names in a message.
+const LISTED: usize = 24;
+
+/// `a, b and c`, or the first of them and how many more.
 pub(crate) fn list(names: &[&str]) -> String {
     match names {
         [] => "none".to_owned(),
-        [only] => format!("`{only}`"),
+        [first @ .., _] if names.len() > LISTED => {
+            let first: Vec<_> = first[..LISTED / 4]
+                .iter()
+                .map(|name| format!("`{}`", shortened(name)))
+                .collect();
+            let more = names.len() - first.len();
+            format!("{} and {more} more", first.join(", "))
+        }
+        [only] => format!("`{}`", shortened(only)),
         [head @ .., last] => {
-            let head: Vec<_> = head.iter().map(|name| format!("`{name}`")).collect();
-            format!("{} and `{last}`", head.join(", "))
+            let head: Vec<_> = head
+                .iter()
+                .map(|name| format!("`{}`", shortened(name)))
+                .collect();
+            format!("{} and `{}`", head.join(", "), shortened(last))
         }
     }
 }
@@ -164,9 +189,9 @@ impl<'t, 'i> Value<'t, 'i> {
 
     fn describe(&self) -> String {
         match self.value {
-            DeValue::String(text) => format!("{text:?}"),
-            DeValue::Integer(number) => number.to_string(),
-            DeValue::Float(number) => number.to_string(),
+            DeValue::String(text) => format!("{:?}", shortened(text)),
+            DeValue::Integer(number) => shortened(&number.to_string()).into_owned(),
+            DeValue::Float(number) => shortened(&number.to_string()).into_owned(),
             DeValue::Boolean(value) => value.to_string(),
             DeValue::Datetime(value) => value.to_string(),
             DeValue::Array(entries) => format!("an array of {}", entries.len()),

@@ -9,6 +9,20 @@ use crate::arithmetic::{Tested, bits, rounded};
 use crate::curves::CURVES;
 use crate::error::Subject;
 
+/// A whole number from the environment.
+///
+/// # Panics
+/// Where it is something else.
+#[must_use]
+pub fn setting(name: &str, default: u64) -> u64 {
+    match std::env::var(name) {
+        Ok(text) => text
+            .parse()
+            .unwrap_or_else(|_| panic!("{name} = {text}: must be a whole number")),
+        Err(_) => default,
+    }
+}
+
 /// A material and places to evaluate it at.
 #[derive(Clone, Debug)]
 pub struct Case {

@@ -9,6 +9,7 @@ pub mod energy;
 pub mod error;
 pub mod frame;
 pub mod fuzz;
+pub mod fuzz_scene;
 pub mod planted;
 pub mod registry;
 pub mod sampling;

@@ -6,22 +6,12 @@
 use std::time::{Duration, Instant};
 
 use microbrdf_tests::arithmetic::Tested;
-use microbrdf_tests::fuzz::{BYTES, Case, check};
+use microbrdf_tests::fuzz::{BYTES, Case, check, setting};
 use microbrdf_tests::in_every_arithmetic;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 in_every_arithmetic!(any_material_and_directions);
-
-/// A number from the environment.
-fn setting(name: &str, default: u64) -> u64 {
-    match std::env::var(name) {
-        Ok(text) => text
-            .parse()
-            .unwrap_or_else(|_| panic!("{name} = {text}: must be a whole number")),
-        Err(_) => default,
-    }
-}
 
 /// The case of a seed.
 fn case(seed: u64) -> Case {

@@ -528,11 +528,11 @@ fn files_that_can_not_be_read() {
     let binary = folder.join("binary.toml");
     fs::write(&binary, b"exposure = 0.5\n\xFF\xFE").expect("a file");
     let large = folder.join("large.toml");
-    fs::write(&large, vec![b'#'; (16 << 20) + 1]).expect("a file");
+    fs::write(&large, vec![b'#'; (1 << 20) + 1]).expect("a file");
     for (path, part) in [
         (&missing, "can't be read"),
         (&binary, "not UTF-8 text from byte 15 on"),
-        (&large, "at most 16777216"),
+        (&large, "at most 1048576"),
         (&folder, "is not a file"),
     ] {
         let error = Description::from_file(path).expect_err("unreadable");

@@ -75,9 +75,11 @@ fn lint(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
 /// Seconds that materials and directions are drawn for, in each arithmetic:
 /// 30 on two cores.
 const FUZZ_SECONDS: u64 = 15;
+/// Seconds that files are drawn for, in each arithmetic.
+const FUZZ_FILES_SECONDS: u64 = 5;
 
-/// The fuzz target, each time from another seed.
-fn fuzz(bench: &Bench<'_>) -> Outcome<Tally> {
+/// A fuzz target, each time from another seed.
+fn fuzz(bench: &Bench<'_>, target: &str, seconds: u64, counted: &str) -> Outcome<Tally> {
     let seed = SystemTime::now()
         .duration_since(SystemTime::UNIX_EPOCH)
         .map_or(0, |time| time.as_secs())
@@ -91,15 +93,15 @@ fn fuzz(bench: &Bench<'_>) -> Outcome<Tally> {
             "microbrdf-tests",
             "--locked",
             "--test",
-            "fuzz",
+            target,
         ],
     );
     cargo
         .args(["--", "--nocapture"])
-        .env("MICROBRDF_FUZZ_SECONDS", FUZZ_SECONDS.to_string())
+        .env("MICROBRDF_FUZZ_SECONDS", seconds.to_string())
         .env("MICROBRDF_FUZZ_SEED", seed.to_string());
-    let output = bench.finish("fuzz", &mut cargo)?;
-    for line in output.lines().filter(|line| line.ends_with(" pairs")) {
+    let output = bench.finish(target, &mut cargo)?;
+    for line in output.lines().filter(|line| line.ends_with(counted)) {
         println!("{line}");
     }
     Ok(counts::read(&output))
@@ -107,7 +109,10 @@ fn fuzz(bench: &Bench<'_>) -> Outcome<Tally> {
 
 /// The tests that run on the host, with overflow checks as the profile says.
 pub fn tests() -> Vec<Step> {
-    let fuzz = step("fuzz", fuzz);
+    let fuzz_models = step("fuzz", |bench| fuzz(bench, "fuzz", FUZZ_SECONDS, " pairs"));
+    let fuzz_scenes = step("fuzz, scene files", |bench| {
+        fuzz(bench, "fuzz_scene", FUZZ_FILES_SECONDS, " scenes")
+    });
     let host = step("host tests", |bench| {
         let mut cargo = cargo(
             bench,
@@ -126,7 +131,7 @@ pub fn tests() -> Vec<Step> {
         }
         Ok(tally)
     });
-    vec![host, fuzz]
+    vec![host, fuzz_models, fuzz_scenes]
 }
 
 /// Documents, the package, licences: what a release needs.
