@@ -16,7 +16,7 @@ type AnyCoat<'a, A> = Coat<'a, A, AnyModel<A>, AnyDaylight<A>>;
 pub struct AnyDaylight<A: HostArithmetic>(Option<AlbedoDaylight<A>>);
 
 impl<A: HostArithmetic> Daylight<A> for AnyDaylight<A> {
-    fn light(&self, n_dot_v: A::Component) -> Rgb<A::Light> {
+    fn light(&self, n_dot_v: A::Cosine) -> Rgb<A::Light> {
         self.0
             .as_ref()
             .map_or_else(Rgb::default, |daylight| daylight.light(n_dot_v))

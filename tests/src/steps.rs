@@ -260,7 +260,7 @@ fn ratio<A: Tested>(other: f64) -> f64 {
             let cosine = A::component(input);
             let [l, v] = [cosine, other].map(A::component_value);
             let exact = if l == 0.0 { 0.0 } else { l / l.max(v) };
-            let found = A::attenuate(A::ONE, A::ratio(cosine, other));
+            let found = A::attenuate(A::ONE, A::ratio(A::upright(cosine), A::upright(other)));
             (A::unit_value(found) - exact).abs()
         })
         .fold(0.0, f64::max)

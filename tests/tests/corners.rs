@@ -286,7 +286,7 @@ fn a_step_beside_the_mirror_direction_dims_nothing<A: Tested>() {
                     continue;
                 }
                 // A cosine that is rounded to 0 follows the horizon's rule.
-                if geometry.l.z == A::COSINE_ZERO {
+                if geometry.l.cosine() == A::COSINE_ZERO {
                     assert_eq!(lobe.share(&geometry), Rgb::grey(A::ZERO));
                     continue;
                 }
@@ -318,7 +318,7 @@ fn no_normal_makes_a_highlight_black<A: Tested>() {
             let [n, l, v] = rotations.turn([l, [-l[0], -l[1], l[2]]]).map(rounded::<A>);
             let world = World::new(n, l, v);
             let (n_dot_l, n_dot_v) = world.cosines();
-            let ratio = A::component_value(n_dot_l) / A::component_value(n_dot_v);
+            let ratio = A::cosine_value(n_dot_l) / A::cosine_value(n_dot_v);
             least = least.min(A::unit_value(lobe.share(&world).r) / ratio.min(1.0));
         }
         // |R − V| is off by at most 24 roundings of a component (frames.rs).

@@ -98,7 +98,7 @@ fn nothing_reflects_more_than_the_peak<A: Tested>() {
 #[derive(Debug)]
 #[expect(dead_code, reason = "shown in messages")]
 struct Shown<A: Tested> {
-    cosines: (A::Component, A::Component),
+    cosines: (A::Cosine, A::Cosine),
     share: [A::Unit; 3],
     reflected: [A::Radiance; 3],
 }

@@ -23,6 +23,7 @@ impl<M: Math> Arithmetic for Float<M> {
     const NAME: &'static str = M::NAME;
 
     type Component = f32;
+    type Cosine = f32;
     type Offset = f32;
     type Separation = f32;
     type Versine = f32;
@@ -60,6 +61,16 @@ impl<M: Math> Arithmetic for Float<M> {
     }
 
     #[inline]
+    fn upright(z: f32) -> f32 {
+        z
+    }
+
+    #[inline]
+    fn height(a: f32, b: f32) -> f32 {
+        a - b
+    }
+
+    #[inline]
     fn tangential(n: f32, l: f32, v: f32, cosines: (f32, f32)) -> f32 {
         (l + v) - (cosines.0 + cosines.1) * n
     }
@@ -80,6 +91,11 @@ impl<M: Math> Arithmetic for Float<M> {
     fn above_horizon(n_dot_l: f32, n_dot_v: f32) -> bool {
         let is_cosine = |cosine: f32| (0.0..=f32::MAX).contains(&cosine);
         is_cosine(n_dot_l) && is_cosine(n_dot_v)
+    }
+
+    #[inline]
+    fn lit(n_dot_l: f32, n_dot_v: f32) -> bool {
+        n_dot_l > 0.0 && Self::above_horizon(n_dot_l, n_dot_v)
     }
 
     #[inline]

@@ -10,6 +10,7 @@ mod math;
 mod peak;
 pub(crate) mod q15;
 pub(crate) mod q31;
+pub(crate) mod short;
 
 pub use self::f32::{F32, Float};
 #[cfg(feature = "micromath")]
@@ -31,8 +32,10 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// Name on command lines and on the wire.
     const NAME: &'static str;
 
-    /// Coordinate of a direction, or a cosine; holds −1 … 1.
+    /// Coordinate of a direction; holds −1 … 1.
     type Component: Copy + Debug + PartialEq + PartialOrd;
+    /// Cosine of the angle between two directions; holds −1 … 1.
+    type Cosine: Copy + Debug + PartialEq + PartialOrd;
     /// Sum or difference of two components, −2 … 2.
     type Offset: Copy;
     /// Squared distance of two directions or of their projections, 0 … 4.
@@ -62,25 +65,30 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     type CosinePower: Copy + Debug + PartialEq;
 
     /// The cosine 0.
-    const COSINE_ZERO: Self::Component;
+    const COSINE_ZERO: Self::Cosine;
     /// The share 0.
     const ZERO: Self::Unit;
     /// The share 1.
     const ONE: Self::Unit;
 
     /// Cosine of the angle between two directions.
-    fn dot(a: &Direction<Self>, b: &Direction<Self>) -> Self::Component;
+    fn dot(a: &Direction<Self>, b: &Direction<Self>) -> Self::Cosine;
+    /// The cosine of a direction with the shading frame's normal, which is its
+    /// third coordinate.
+    fn upright(z: Self::Component) -> Self::Cosine;
     /// a + b.
     fn sum(a: Self::Component, b: Self::Component) -> Self::Offset;
     /// a − b.
     fn difference(a: Self::Component, b: Self::Component) -> Self::Offset;
+    /// a − b of two cosines.
+    fn height(a: Self::Cosine, b: Self::Cosine) -> Self::Offset;
     /// One coordinate of L + V without its part along the normal:
     /// l + v − (N·L + N·V)·n.
     fn tangential(
         n: Self::Component,
         l: Self::Component,
         v: Self::Component,
-        cosines: (Self::Component, Self::Component),
+        cosines: (Self::Cosine, Self::Cosine),
     ) -> Self::Offset;
     /// Sum of squares.
     fn square<const N: usize>(offsets: [Self::Offset; N]) -> Self::Separation;
@@ -89,7 +97,10 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
 
     /// Whether neither cosine is negative. In floating point it is false, too,
     /// for what is infinite or not a number.
-    fn above_horizon(n_dot_l: Self::Component, n_dot_v: Self::Component) -> bool;
+    fn above_horizon(n_dot_l: Self::Cosine, n_dot_v: Self::Cosine) -> bool;
+    /// Whether light arrives and is seen: as [`Self::above_horizon`], and not
+    /// along the surface.
+    fn lit(n_dot_l: Self::Cosine, n_dot_v: Self::Cosine) -> bool;
     /// Whether the directions behind a versine were numbers.
     fn is_number(x: Self::Versine) -> bool;
     /// cosⁿα = (1 − x)ⁿ; 0 for x ≥ 1.
@@ -97,17 +108,22 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// ξ(m) for m².
     fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
     /// c^(1−p) for a cosine c ≥ 0.
-    fn cosine_power(stored: &Self::CosinePower, cosine: Self::Component) -> Self::Unit;
+    fn cosine_power(stored: &Self::CosinePower, cosine: Self::Cosine) -> Self::Unit;
     /// a / max(a, b) for cosines that are not negative: exactly 1 where the
     /// first is the larger; 0 where it is 0.
-    fn ratio(a: Self::Component, b: Self::Component) -> Self::Ratio;
+    fn ratio(a: Self::Cosine, b: Self::Cosine) -> Self::Ratio;
     /// A cosine that is not negative; at most 1, whatever the directions'
     /// lengths.
-    fn cosine(cosine: Self::Component) -> Self::Ratio;
+    fn cosine(cosine: Self::Cosine) -> Self::Ratio;
     /// share · ratio.
     fn attenuate(share: Self::Unit, ratio: Self::Ratio) -> Self::Unit;
     /// A curve over a cosine.
-    fn curve(curve: &CosineCurve, cosine: Self::Component) -> Rgb<Self::Unit>;
+    fn curve(curve: &CosineCurve, cosine: Self::Cosine) -> Rgb<Self::Unit>;
+    /// share · curve(cosine), per channel.
+    #[inline]
+    fn tint(share: Self::Unit, curve: &CosineCurve, cosine: Self::Cosine) -> Rgb<Self::Unit> {
+        Self::curve(curve, cosine).map(|channel| Self::product(share, channel))
+    }
     /// a · b.
     fn product(a: Self::Unit, b: Self::Unit) -> Self::Unit;
     /// a + b, at most 1.
@@ -121,7 +137,7 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn value(peak: Self::Scale, share: Self::Unit) -> Self::Value;
     /// peak · share / cosine; at most the greatest value that the type holds,
     /// which is what a cosine of 0 gets unless the share is 0, too.
-    fn value_over(peak: Self::Scale, share: Self::Unit, cosine: Self::Component) -> Self::Value;
+    fn value_over(peak: Self::Scale, share: Self::Unit, cosine: Self::Cosine) -> Self::Value;
     /// a + b, at most the greatest value that the type holds.
     fn add_values(a: Self::Value, b: Self::Value) -> Self::Value;
 

@@ -2,6 +2,7 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
+use super::short::scale;
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -10,6 +11,10 @@ use crate::table::{CosineCurve, CosinePowerTable, ScaledTable, reciprocal, root}
 
 /// Fraction bits of a component.
 const COMPONENT_BITS: u32 = 14;
+/// Fraction bits of a cosine.
+const COSINE_BITS: u32 = 30;
+/// Fraction bits of a ratio.
+const RATIO_BITS: u32 = 16;
 
 /// 16-bit fixed point: directions in `I2F14`, shares in `U1F31`, lobes in
 /// tables of `KNOTS` knots.
@@ -90,6 +95,8 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     const NAME: &'static str = "q15";
 
     type Component = I2F14;
+    /// 30 fraction bits, so that the sum of three products is exact.
+    type Cosine = i32;
     /// 14 fraction bits.
     type Offset = i32;
     /// 28 fraction bits.
@@ -97,7 +104,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     /// 29 fraction bits.
     type Versine = u32;
     type Unit = U1F31;
-    /// 20 fraction bits.
+    /// 16 fraction bits.
     type Ratio = u32;
     type Scale = U32F32;
     type Radiance = U32F32;
@@ -109,17 +116,22 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     type Profile = ScaledTable<KNOTS>;
     type CosinePower = CosinePowerTable;
 
-    const COSINE_ZERO: I2F14 = I2F14::ZERO;
+    const COSINE_ZERO: i32 = 0;
     const ZERO: U1F31 = U1F31::ZERO;
     const ONE: U1F31 = U1F31::ONE;
 
     #[inline]
-    fn dot(a: &Direction<Self>, b: &Direction<Self>) -> I2F14 {
+    fn dot(a: &Direction<Self>, b: &Direction<Self>) -> i32 {
         let product = |a: I2F14, b: I2F14| i32::from(a.to_bits()) * i32::from(b.to_bits());
         let sum = product(a.x, b.x)
             .wrapping_add(product(a.y, b.y))
             .wrapping_add(product(a.z, b.z));
-        I2F14::from_bits((sum.wrapping_add(1 << (COMPONENT_BITS - 1)) >> COMPONENT_BITS) as i16)
+        sum << (COSINE_BITS - 2 * COMPONENT_BITS)
+    }
+
+    #[inline]
+    fn upright(z: I2F14) -> i32 {
+        i32::from(z.to_bits()) << (COSINE_BITS - COMPONENT_BITS)
     }
 
     #[inline]
@@ -133,9 +145,18 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
-    fn tangential(n: I2F14, l: I2F14, v: I2F14, cosines: (I2F14, I2F14)) -> i32 {
-        let along = Self::sum(cosines.0, cosines.1) * i32::from(n.to_bits());
-        Self::sum(l, v) - (along.wrapping_add(1 << (COMPONENT_BITS - 1)) >> COMPONENT_BITS)
+    fn height(a: i32, b: i32) -> i32 {
+        const DROP: u32 = COSINE_BITS - COMPONENT_BITS;
+        a.wrapping_sub(b).wrapping_add(1 << (DROP - 1)) >> DROP
+    }
+
+    #[inline]
+    fn tangential(n: I2F14, l: I2F14, v: I2F14, cosines: (i32, i32)) -> i32 {
+        // Fraction bits of the sum that its product with a component can take.
+        const HEIGHT: u32 = 15;
+        let height = (cosines.0 >> (COSINE_BITS - HEIGHT)) + (cosines.1 >> (COSINE_BITS - HEIGHT));
+        let along = height * i32::from(n.to_bits());
+        Self::sum(l, v) - (along.wrapping_add(1 << (HEIGHT - 1)) >> HEIGHT)
     }
 
     #[inline]
@@ -151,9 +172,14 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
-    fn above_horizon(n_dot_l: I2F14, n_dot_v: I2F14) -> bool {
+    fn above_horizon(n_dot_l: i32, n_dot_v: i32) -> bool {
         // Either sign bit.
-        n_dot_l.to_bits() | n_dot_v.to_bits() >= 0
+        n_dot_l | n_dot_v >= 0
+    }
+
+    #[inline]
+    fn lit(n_dot_l: i32, n_dot_v: i32) -> bool {
+        n_dot_l > 0 && n_dot_v >= 0
     }
 
     #[inline]
@@ -172,39 +198,45 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
-    fn cosine_power(table: &CosinePowerTable, cosine: I2F14) -> U1F31 {
-        U1F31::from_bits(table.at(i32::from(cosine.to_bits()) << 16))
+    fn cosine_power(table: &CosinePowerTable, cosine: i32) -> U1F31 {
+        U1F31::from_bits(table.at(cosine))
     }
 
     #[inline]
-    fn ratio(a: I2F14, b: I2F14) -> u32 {
-        let (a, b) = (a.to_bits(), b.to_bits());
+    fn ratio(a: i32, b: i32) -> u32 {
         if a <= 0 {
             0
         } else if a >= b {
-            1 << 20
+            1 << RATIO_BITS
         } else {
             reciprocal::quotient(a as u32, b as u32)
         }
     }
 
     #[inline]
-    fn cosine(cosine: I2F14) -> u32 {
-        (cosine.to_bits().clamp(0, 1 << COMPONENT_BITS) as u32) << (20 - COMPONENT_BITS)
+    fn cosine(cosine: i32) -> u32 {
+        (cosine.clamp(0, 1 << COSINE_BITS) as u32) >> (COSINE_BITS - RATIO_BITS)
     }
 
-    /// Truncates: off by less than 2⁻²⁶.
+    /// Truncates: off by less than 2⁻³¹.
     #[inline]
     fn attenuate(share: U1F31, ratio: u32) -> U1F31 {
-        let share = share.to_bits();
-        let high = (share >> 20).wrapping_mul(ratio);
-        let low = ((share >> 4) & 0xFFFF).wrapping_mul(ratio >> 4);
-        U1F31::from_bits(high.wrapping_add(low >> 12))
+        U1F31::from_bits(scale(share.to_bits(), ratio))
     }
 
     #[inline]
-    fn curve(curve: &CosineCurve, cosine: I2F14) -> Rgb<U1F31> {
-        Rgb::from_array(curve.at_short(cosine.to_bits())).map(U1F31::from_bits)
+    fn curve(curve: &CosineCurve, cosine: i32) -> Rgb<U1F31> {
+        // 15 fraction bits, to 31.
+        Rgb::from_array(curve.at_short(cosine)).map(|channel| U1F31::from_bits(channel << 16))
+    }
+
+    /// The curve is taken to 15 fraction bits: off by at most 2⁻¹⁵ of the
+    /// share.
+    #[inline]
+    fn tint(share: U1F31, curve: &CosineCurve, cosine: i32) -> Rgb<U1F31> {
+        let share = share.to_bits();
+        Rgb::from_array(curve.at_short(cosine))
+            .map(|channel| U1F31::from_bits(scale(share, channel) << 1))
     }
 
     /// The second factor is taken to 16 fraction bits: off by at most 2⁻¹⁶ of
@@ -238,8 +270,8 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
-    fn value_over(peak: U32F32, share: U1F31, cosine: I2F14) -> U64F64 {
-        peak::value_over(peak, share, i32::from(cosine.to_bits()) << 16)
+    fn value_over(peak: U32F32, share: U1F31, cosine: i32) -> U64F64 {
+        peak::value_over(peak, share, cosine)
     }
 
     #[inline]
@@ -249,9 +281,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
 
     #[inline]
     fn expose(gain: Gain15, share: U1F31) -> u32 {
-        let share = share.to_bits();
-        let high = (share >> 16) * gain.mantissa;
-        let product = high + (((share & 0xFFFF) * gain.mantissa) >> 16);
+        let product = scale(share.to_bits(), gain.mantissa);
         if product > gain.limit {
             u32::MAX
         } else {

@@ -78,6 +78,7 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     const NAME: &'static str = "q31";
 
     type Component = I2F30;
+    type Cosine = I2F30;
     /// 30 fraction bits; read as a magnitude, so that 2.0 is held.
     type Offset = i32;
     /// 60 fraction bits.
@@ -120,6 +121,16 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     }
 
     #[inline]
+    fn upright(z: I2F30) -> I2F30 {
+        z
+    }
+
+    #[inline]
+    fn height(a: I2F30, b: I2F30) -> i32 {
+        Self::difference(a, b)
+    }
+
+    #[inline]
     fn tangential(n: I2F30, l: I2F30, v: I2F30, cosines: (I2F30, I2F30)) -> i32 {
         let height = i64::from(cosines.0.to_bits()) + i64::from(cosines.1.to_bits());
         let along =
@@ -143,6 +154,11 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     #[inline]
     fn above_horizon(n_dot_l: I2F30, n_dot_v: I2F30) -> bool {
         n_dot_l >= I2F30::ZERO && n_dot_v >= I2F30::ZERO
+    }
+
+    #[inline]
+    fn lit(n_dot_l: I2F30, n_dot_v: I2F30) -> bool {
+        n_dot_l > I2F30::ZERO && n_dot_v >= I2F30::ZERO
     }
 
     #[inline]

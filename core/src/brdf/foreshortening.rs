@@ -12,10 +12,10 @@ use crate::table::CosinePowerTable;
 pub trait Foreshortening<A: Arithmetic> {
     /// shape · cosΘL / cosᵖΘmin, the quotient in [0, 1], for cosines that are
     /// not negative.
-    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit;
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Unit;
 
     /// peak · shape / cosᵖΘmin for cosΘmin ≥ 0.
-    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value;
+    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Cosine) -> A::Value;
 }
 
 /// p = 0: no division. Reciprocal Phong, the patches, Lambert.
@@ -24,12 +24,12 @@ pub struct Flat;
 
 impl<A: Arithmetic> Foreshortening<A> for Flat {
     #[inline]
-    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, _: A::Component) -> A::Unit {
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, _: A::Cosine) -> A::Unit {
         A::attenuate(shape, A::cosine(n_dot_l))
     }
 
     #[inline]
-    fn value(&self, peak: A::Scale, shape: A::Unit, _: A::Component) -> A::Value {
+    fn value(&self, peak: A::Scale, shape: A::Unit, _: A::Cosine) -> A::Value {
         A::value(peak, shape)
     }
 }
@@ -40,7 +40,7 @@ pub struct Metallic;
 
 impl<A: Arithmetic> Foreshortening<A> for Metallic {
     #[inline]
-    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Unit {
         // Half of all directions need no division.
         if n_dot_l >= n_dot_v && n_dot_l > A::COSINE_ZERO {
             return shape;
@@ -49,7 +49,7 @@ impl<A: Arithmetic> Foreshortening<A> for Metallic {
     }
 
     #[inline]
-    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value {
+    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Cosine) -> A::Value {
         A::value_over(peak, shape, cos_min)
     }
 }
@@ -102,14 +102,14 @@ const P_RANGE: ParameterError = ParameterError::new("p", "a number from 0 to 1")
 
 impl<A: Arithmetic> Foreshortening<A> for PowerModel<A> {
     #[inline]
-    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Component, n_dot_v: A::Component) -> A::Unit {
+    fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Unit {
         let rest = A::cosine_power(&self.rest, larger::<A>(n_dot_l, n_dot_v));
         let metallic = Foreshortening::<A>::attenuate(&Metallic, shape, n_dot_l, n_dot_v);
         A::product(metallic, rest)
     }
 
     #[inline]
-    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Component) -> A::Value {
+    fn value(&self, peak: A::Scale, shape: A::Unit, cos_min: A::Cosine) -> A::Value {
         if cos_min == A::COSINE_ZERO {
             return A::value_over(peak, shape, cos_min);
         }

@@ -35,7 +35,7 @@ impl<A: Arithmetic> Metal<A> {
 
     /// F at cosΘmin.
     #[inline]
-    pub(crate) fn reflectance(&self, cosine: A::Component) -> Rgb<A::Unit> {
+    pub(crate) fn reflectance(&self, cosine: A::Cosine) -> Rgb<A::Unit> {
         A::curve(&self.fresnel, cosine)
     }
 }
@@ -62,7 +62,6 @@ impl<A: Arithmetic> Shape for Metal<A> {
     #[inline]
     fn coloured(&self, share: A::Unit, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        let fresnel = self.reflectance(larger::<A>(n_dot_l, n_dot_v));
-        fresnel.map(|reflectance| A::product(share, reflectance))
+        A::tint(share, &self.fresnel, larger::<A>(n_dot_l, n_dot_v))
     }
 }

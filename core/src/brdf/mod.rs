@@ -100,7 +100,7 @@ impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
     #[inline(always)]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        if !A::above_horizon(n_dot_l, n_dot_v) {
+        if !A::lit(n_dot_l, n_dot_v) {
             return Rgb::grey(A::ZERO);
         }
         let lobe = self.lobe(geometry);
@@ -141,6 +141,6 @@ fn tinted_brdf<A: Arithmetic>(
 
 /// cosΘmin: the larger cosine belongs to the smaller angle (3.4).
 #[inline]
-pub(crate) fn larger<A: Arithmetic>(n_dot_l: A::Component, n_dot_v: A::Component) -> A::Component {
+pub(crate) fn larger<A: Arithmetic>(n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Cosine {
     if n_dot_l >= n_dot_v { n_dot_l } else { n_dot_v }
 }

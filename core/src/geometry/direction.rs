@@ -25,4 +25,11 @@ impl<A: Arithmetic> Direction<A> {
     pub const fn new(x: A::Component, y: A::Component, z: A::Component) -> Self {
         Self { x, y, z }
     }
+
+    /// In the shading frame, the cosine of its angle with the normal.
+    #[inline]
+    #[must_use]
+    pub fn cosine(&self) -> A::Cosine {
+        A::upright(self.z)
+    }
 }

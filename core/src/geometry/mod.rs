@@ -17,7 +17,7 @@ use crate::arithmetic::Arithmetic;
 /// reciprocal. R is L mirrored at the normal.
 pub trait Geometry<A: Arithmetic> {
     /// N·L and N·V.
-    fn cosines(&self) -> (A::Component, A::Component);
+    fn cosines(&self) -> (A::Cosine, A::Cosine);
     /// 1 − R·V, as |R − V|²/2: no cancellation near the mirror direction.
     fn versine(&self) -> A::Versine;
     /// 1 − L·V, as |L − V|²/2.

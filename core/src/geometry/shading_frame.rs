@@ -24,8 +24,8 @@ impl<A: Arithmetic> ShadingFrame<A> {
 
 impl<A: Arithmetic> Geometry<A> for ShadingFrame<A> {
     #[inline]
-    fn cosines(&self) -> (A::Component, A::Component) {
-        (self.l.z, self.v.z)
+    fn cosines(&self) -> (A::Cosine, A::Cosine) {
+        (self.l.cosine(), self.v.cosine())
     }
 
     #[inline]

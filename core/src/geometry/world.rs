@@ -15,7 +15,7 @@ pub struct World<A: Arithmetic> {
     normal: Direction<A>,
     l: Direction<A>,
     v: Direction<A>,
-    cosines: (A::Component, A::Component),
+    cosines: (A::Cosine, A::Cosine),
 }
 
 impl<A: Arithmetic> World<A> {
@@ -33,7 +33,7 @@ impl<A: Arithmetic> World<A> {
         n: Direction<A>,
         l: Direction<A>,
         v: Direction<A>,
-        n_dot_v: A::Component,
+        n_dot_v: A::Cosine,
     ) -> Self {
         Self {
             normal: n,
@@ -57,7 +57,7 @@ impl<A: Arithmetic> World<A> {
 
 impl<A: Arithmetic> Geometry<A> for World<A> {
     #[inline]
-    fn cosines(&self) -> (A::Component, A::Component) {
+    fn cosines(&self) -> (A::Cosine, A::Cosine) {
         self.cosines
     }
 
@@ -68,7 +68,7 @@ impl<A: Arithmetic> Geometry<A> for World<A> {
             x,
             y,
             z,
-            A::difference(self.cosines.0, self.cosines.1),
+            A::height(self.cosines.0, self.cosines.1),
         ]))
     }
 

@@ -33,6 +33,7 @@ impl Sampling for F32 {
     type Cap = [f32; 2];
     type Spread = Spread;
 
+    const COMPONENT_ZERO: f32 = 0.0;
     const COSINE_ONE: f32 = 1.0;
     const SCALE_ONE: f32 = 1.0;
     const SEPARATION_ONE: f32 = 1.0;

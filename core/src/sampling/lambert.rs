@@ -10,7 +10,7 @@ use crate::geometry::{Direction, ShadingFrame};
 impl<A: Sampling> Sample<A> for Lambert<A> {
     #[inline]
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
-        if !A::above_horizon(v.z, v.z) {
+        if !A::above_horizon(v.cosine(), v.cosine()) {
             return None;
         }
         let direction = cosine(random)?;
@@ -25,8 +25,8 @@ impl<A: Sampling> Sample<A> for Lambert<A> {
 
     #[inline]
     fn pdf(&self, l: &Direction<A>, v: &Direction<A>) -> A::Radiance {
-        let share = if A::above_horizon(l.z, v.z) {
-            A::attenuate(A::ONE, A::cosine(l.z))
+        let share = if A::above_horizon(l.cosine(), v.cosine()) {
+            A::attenuate(A::ONE, A::cosine(l.cosine()))
         } else {
             A::ZERO
         };
@@ -39,7 +39,7 @@ impl<A: Sampling> Sample<A> for Lambert<A> {
 pub(super) fn cosine<A: Sampling>([u, turn]: [A::Uniform; 2]) -> Option<Direction<A>> {
     let direction = A::raised(A::circle(A::root(A::COSINE_ONE, u), turn));
     // Not so only where a number of f32 was none.
-    A::above_horizon(direction.z, direction.z).then_some(direction)
+    A::above_horizon(direction.cosine(), direction.cosine()).then_some(direction)
 }
 
 /// The weight 1.

@@ -70,7 +70,7 @@ impl<A: Sampling> PatchSampler<A> {
 impl<A: Sampling> Sample<A> for PatchSampler<A> {
     #[inline]
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
-        if !A::above_horizon(v.z, v.z) {
+        if !A::above_horizon(v.cosine(), v.cosine()) {
             return None;
         }
         let direction = if let Some(radius) = self.radius {

@@ -69,14 +69,14 @@ impl<A: Sampling> PatchExponentialSampler<A> {
 /// Squared distance of a direction's projection from N's.
 #[inline]
 fn from_normal<A: Sampling>(l: &Direction<A>) -> A::Separation {
-    let alone = |component| A::sum(component, A::COSINE_ZERO);
+    let alone = |component| A::sum(component, A::COMPONENT_ZERO);
     A::square([alone(l.x), alone(l.y)])
 }
 
 impl<A: Sampling> Sample<A> for PatchExponentialSampler<A> {
     #[inline]
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
-        if !A::above_horizon(v.z, v.z) {
+        if !A::above_horizon(v.cosine(), v.cosine()) {
             return None;
         }
         let [u, turn] = random;
@@ -89,7 +89,7 @@ impl<A: Sampling> Sample<A> for PatchExponentialSampler<A> {
         }
         // R's projection − (R's projection + offset).
         let direction = A::mirrored(&A::raised(offset));
-        if !A::above_horizon(direction.z, v.z) {
+        if !A::above_horizon(direction.cosine(), v.cosine()) {
             return None;
         }
         let m = ShadingFrame::new(direction, *v).separation();
@@ -102,14 +102,14 @@ impl<A: Sampling> Sample<A> for PatchExponentialSampler<A> {
 
     #[inline]
     fn pdf(&self, l: &Direction<A>, v: &Direction<A>) -> A::Radiance {
-        let share = if A::above_horizon(l.z, v.z) {
+        let share = if A::above_horizon(l.cosine(), v.cosine()) {
             let m = ShadingFrame::new(*l, *v).separation();
             let distance = if m <= A::SEPARATION_ONE {
                 m
             } else {
                 from_normal(l)
             };
-            A::attenuate(self.model.profile(distance), A::cosine(l.z))
+            A::attenuate(self.model.profile(distance), A::cosine(l.cosine()))
         } else {
             A::ZERO
         };

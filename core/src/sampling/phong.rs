@@ -168,12 +168,12 @@ impl<A: Sampling> Lobe<A> {
         v: &Direction<A>,
         random: [A::Uniform; 2],
     ) -> Option<Direction<A>> {
-        if !A::above_horizon(v.z, v.z) {
+        if !A::above_horizon(v.cosine(), v.cosine()) {
             return None;
         }
         let [u, turn] = random;
         let l = A::about(&X::of(v), A::cap(&self.concentration, u), turn);
-        A::above_horizon(l.z, v.z).then_some(l)
+        A::above_horizon(l.cosine(), v.cosine()).then_some(l)
     }
 
     /// The density of drawing L about the axis of `model`'s lobe.
@@ -184,7 +184,7 @@ impl<A: Sampling> Lobe<A> {
         l: &Direction<A>,
         v: &Direction<A>,
     ) -> A::Radiance {
-        let share = if A::above_horizon(l.z, v.z) {
+        let share = if A::above_horizon(l.cosine(), v.cosine()) {
             model.lobe(&ShadingFrame::new(*l, *v))
         } else {
             A::ZERO
@@ -198,7 +198,7 @@ impl<A: Sampling, X: LobeAxis, P: Foreshortening<A>> Sample<A> for PhongLobeSamp
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
         let direction = self.lobe.draw::<X>(v, random)?;
         let foreshortening = self.model.foreshortening();
-        let ratio = foreshortening.attenuate(A::ONE, direction.z, v.z);
+        let ratio = foreshortening.attenuate(A::ONE, direction.cosine(), v.cosine());
         Some(Drawn {
             direction,
             weight: Rgb::grey(A::radiance(self.lobe.gain, ratio)),

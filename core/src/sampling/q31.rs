@@ -96,6 +96,7 @@ impl<const CELLS: usize> Sampling for Q31<CELLS> {
     type Cap = Cap31;
     type Spread = Spread31;
 
+    const COMPONENT_ZERO: I2F30 = I2F30::ZERO;
     const COSINE_ONE: I2F30 = I2F30::ONE;
     const SCALE_ONE: U32F32 = U32F32::ONE;
     const SEPARATION_ONE: u64 = 1 << (2 * BITS);

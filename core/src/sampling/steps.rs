@@ -16,6 +16,8 @@ pub trait Sampling: Arithmetic {
     /// What a distance of density ∝ m·e^(−s·m) on [0, 1] is drawn with.
     type Spread: Copy + Debug + PartialEq;
 
+    /// The coordinate 0.
+    const COMPONENT_ZERO: Self::Component;
     /// The cosine 1.
     const COSINE_ONE: Self::Component;
     /// The factor 1.

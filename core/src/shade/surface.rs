@@ -53,7 +53,7 @@ impl<A: Arithmetic, S: Surface<A>, T: Surface<A>> Surface<A> for (S, T) {
 /// Reflection of a uniform sky.
 pub trait Daylight<A: Arithmetic> {
     /// Exposed light that the sky sends to the viewer by way of the surface.
-    fn light(&self, n_dot_v: A::Component) -> Rgb<A::Light>;
+    fn light(&self, n_dot_v: A::Cosine) -> Rgb<A::Light>;
 }
 
 /// No sky: costs nothing.
@@ -62,7 +62,7 @@ pub struct NoDaylight;
 
 impl<A: Arithmetic> Daylight<A> for NoDaylight {
     #[inline]
-    fn light(&self, _: A::Component) -> Rgb<A::Light> {
+    fn light(&self, _: A::Cosine) -> Rgb<A::Light> {
         Rgb::default()
     }
 }
@@ -79,7 +79,7 @@ pub struct AlbedoDaylight<A: Arithmetic> {
 
 impl<A: Arithmetic> Daylight<A> for AlbedoDaylight<A> {
     #[inline]
-    fn light(&self, n_dot_v: A::Component) -> Rgb<A::Light> {
+    fn light(&self, n_dot_v: A::Cosine) -> Rgb<A::Light> {
         self.gain.zip(A::curve(&self.albedo, n_dot_v), A::expose)
     }
 }

@@ -1,14 +1,16 @@
 //! Quotients of two cosines, without a division.
 
-/// Cells in [1/4, 1] of a cosine with 14 fraction bits.
-const FIRST: u32 = 32;
+use crate::arithmetic::short::room;
+
+/// Cells in [1/2, 1) of a divisor of 16 bits.
+const FIRST: u32 = 64;
 const LAST: u32 = 128;
 /// Bits of the position within a cell.
-const CELL_BITS: u32 = 7;
-/// Cosines below 1/4 are scaled up, two bits at a time.
-const LEAST: u32 = FIRST << CELL_BITS;
-/// The reciprocal's scale: 2²⁸ / c, with 16 bits.
-const SCALE_BITS: u32 = 28;
+const CELL_BITS: u32 = 9;
+/// The reciprocal's scale: 2³¹/c, with 16 bits.
+const SCALE_BITS: u32 = 31;
+/// Fraction bits of a quotient.
+const QUOTIENT_BITS: u32 = 16;
 
 /// Value at the left end of a cell, and its fall over the cell in the lower
 /// half.
@@ -25,63 +27,81 @@ const fn cells() -> [u32; (LAST - FIRST) as usize] {
     table
 }
 
-/// 2²⁸/c at a knot, less half of the chord's error to either side.
+/// 2³¹/c at a knot, less the chord's error: a chord is nowhere above the
+/// curve, so that no quotient passes 1.
 const fn lowered(knot: u32) -> u32 {
     let c = (knot << CELL_BITS) as u64;
     let width = 1u64 << CELL_BITS;
-    // width²/8 · (2/c³) · 2²⁸ / 2.
-    let sag = ((width * width) << (SCALE_BITS - 3)) / (c * c * c);
-    let value = ((1u64 << SCALE_BITS) + c / 2) / c - sag;
-    if value < 0xFFFF { value as u32 } else { 0xFFFF }
+    // width²/8 · (2/c³) · 2³¹, and two steps for what is rounded down.
+    let sag = ((width * width) << (SCALE_BITS - 2)) / (c * c * c) + 2;
+    ((1u64 << SCALE_BITS) / c - sag) as u32
 }
 
-/// a / b with 20 fraction bits for 0 ≤ `a` < `b`, cosines with 14 fraction
-/// bits; within 1.4e-4 of its value + 2⁻²⁰, tested for every pair of
-/// arguments in `table::reciprocal::tests`. A `b` above 1 counts as 1.
+/// a / b with 16 fraction bits for 0 < `a` < `b`, cosines with 30 fraction
+/// bits; at most 1. Its error is at most 1.2e-4 of its value + 4e-5 (+ 1e-5 for
+/// cosines of 14 bits);
+/// `table::reciprocal::tests`.
 ///
-/// 384 bytes of table.
+/// 256 bytes of table.
 #[inline]
-pub(crate) fn quotient(mut a: u32, mut b: u32) -> u32 {
-    while b < LEAST {
-        if b == 0 {
-            return 0;
-        }
-        a <<= 2;
-        b <<= 2;
-    }
+pub(crate) fn quotient(a: u32, b: u32) -> u32 {
+    let room = room(b) % 32;
+    // The divisor then has 16 bits.
+    let (a, b) = ((a << room) >> 15, (b << room) >> 15);
     let Some(&cell) = CELLS.get((b >> CELL_BITS).wrapping_sub(FIRST) as usize) else {
-        return if a < 1 << 14 { a << 6 } else { 1 << 20 };
+        // A divisor of 0, or far above 1.
+        return 0;
     };
     let fall = (cell & 0xFFFF) * (b % (1 << CELL_BITS));
     let reciprocal = (cell >> 16) - (fall >> CELL_BITS);
-    // Rounding up may pass 1 where a is just below b.
-    ((a * reciprocal) >> (SCALE_BITS - 20)).min(1 << 20)
+    const DROP: u32 = SCALE_BITS - QUOTIENT_BITS;
+    (a * reciprocal + (1 << (DROP - 1))) >> DROP
 }
 
 #[cfg(test)]
 mod tests {
     use super::quotient;
 
-    #[test]
-    fn every_pair_is_within_the_bound() {
-        let mut worst = 0.0f64;
-        for b in 1..=1u32 << 14 {
-            assert_eq!(quotient(0, b), 0);
-            let one = 1_048_576.0 / f64::from(b);
-            for a in 1..b {
-                let exact = f64::from(a) * one;
-                let found = quotient(a, b);
-                assert!(found <= 1 << 20, "{a}/{b}");
-                worst = worst.max(((f64::from(found) - exact).abs() - 1.0) / exact);
-            }
-        }
-        assert!((1e-4..=1.4e-4).contains(&worst), "{worst:e}");
+    const ONE: f64 = 65_536.0;
+
+    /// How far a quotient is off, in its value beyond 4e-5.
+    fn relative_error(a: u32, b: u32, step: f64) -> f64 {
+        let found = quotient(a, b);
+        assert!(found <= 1 << 16, "{a}/{b}");
+        let exact = f64::from(a) / f64::from(b) * ONE;
+        ((f64::from(found) - exact).abs() - step * ONE) / exact
     }
 
     #[test]
-    fn a_divisor_above_one_counts_as_one() {
-        assert_eq!(quotient(1 << 13, 20_000), 1 << 19);
-        assert_eq!(quotient(19_000, 20_000), 1 << 20);
+    fn every_pair_of_14_bits_is_within_the_bound() {
+        let mut worst = 0.0f64;
+        for b in 1..=1u32 << 14 {
+            for a in 1..b {
+                worst = worst.max(relative_error(a << 16, b << 16, 1e-5));
+            }
+        }
+        assert!((5e-5..=1.2e-4).contains(&worst), "{worst:e}");
+    }
+
+    #[test]
+    fn cosines_of_30_bits_are_within_the_bound() {
+        let mut random = 1u64;
+        let mut draw = || {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (random >> 34) as u32
+        };
+        for _ in 0..1 << 20 {
+            let b = (draw() >> (draw() % 30)).max(2);
+            let a = draw() % (b - 1) + 1;
+            assert!(relative_error(a, b, 4e-5) <= 1.2e-4, "{a}/{b}");
+            assert!(relative_error(b - 1, b, 4e-5) <= 1.2e-4, "{b} - 1");
+        }
+    }
+
+    #[test]
+    fn what_is_no_quotient_of_cosines_is_finite() {
         assert_eq!(quotient(0, 0), 0);
+        assert_eq!(quotient(1, u32::MAX), 0);
+        assert!(quotient(1 << 30, (1 << 31) - 1) <= 1 << 16);
     }
 }

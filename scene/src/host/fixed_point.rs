@@ -1,7 +1,7 @@
 //! Fixed point.
 
 use fixed::types::{I2F14, I2F30, I8F24, I24F40, U0F32, U1F31, U2F30, U32F32, U64F64};
-use microbrdf::arithmetic::{Gain15, Gain31, Q15, Q31};
+use microbrdf::arithmetic::{Arithmetic, Gain15, Gain31, Q15, Q31};
 use microbrdf::brdf::{
     Axis, Foreshortening, Lambert, Patch, PatchExponential, PhongLobe, Plastic, PowerModel,
 };
@@ -28,7 +28,7 @@ fn exact(value: u128, bits: u32) -> String {
 }
 
 macro_rules! fixed_point {
-    ($arithmetic:ident, $component:ident, $gain:ident) => {
+    ($arithmetic:ident, $component:ident, $cosine:expr, $gain:ident) => {
         impl<const SIZE: usize> HostArithmetic for $arithmetic<SIZE> {
             const TYPE: &'static str = concat!("microbrdf::arithmetic::", stringify!($arithmetic));
 
@@ -37,6 +37,9 @@ macro_rules! fixed_point {
             }
             fn component_value(component: $component) -> f64 {
                 component.to_num()
+            }
+            fn cosine_value(cosine: <Self as Arithmetic>::Cosine) -> f64 {
+                $cosine(cosine)
             }
             fn component_text(component: $component) -> String {
                 Self::component_value(component).to_string()
@@ -148,5 +151,5 @@ macro_rules! fixed_point {
     };
 }
 
-fixed_point!(Q31, I2F30, Gain31);
-fixed_point!(Q15, I2F14, Gain15);
+fixed_point!(Q31, I2F30, I2F30::to_num, Gain31);
+fixed_point!(Q15, I2F14, |bits| I2F30::from_bits(bits).to_num(), Gain15);

@@ -34,6 +34,9 @@ impl<M: Named> HostArithmetic for Float<M> {
     fn component_value(component: f32) -> f64 {
         f64::from(component)
     }
+    fn cosine_value(cosine: f32) -> f64 {
+        f64::from(cosine)
+    }
     fn component_text(component: f32) -> String {
         f64::from(component).to_string()
     }

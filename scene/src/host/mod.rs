@@ -33,6 +33,8 @@ pub trait HostArithmetic:
     fn component(value: f64) -> Self::Component;
     /// The component's value.
     fn component_value(component: Self::Component) -> f64;
+    /// The cosine's value.
+    fn cosine_value(cosine: Self::Cosine) -> f64;
     /// The component in decimal digits that read back exactly.
     fn component_text(component: Self::Component) -> String;
     /// Rounds a share.

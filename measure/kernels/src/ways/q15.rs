@@ -47,6 +47,6 @@ pub fn direction<const KNOTS: usize>(Short { x, y, z }: Short) -> Direction<Q15<
 
 /// A component's bits.
 #[inline(always)]
-pub fn bits(component: I2F14) -> u32 {
-    component.to_bits() as u32
+pub fn bits(cosine: i32) -> u32 {
+    cosine as u32
 }
