@@ -260,7 +260,8 @@ fn ratio<A: Tested>(other: f64) -> f64 {
             let cosine = A::component(input);
             let [l, v] = [cosine, other].map(A::component_value);
             let exact = if l == 0.0 { 0.0 } else { l / l.max(v) };
-            let found = A::attenuate(A::ONE, A::ratio(A::upright(cosine), A::upright(other)));
+            let ratio = A::ratio(A::upright(cosine), A::upright(other));
+            let found = ratio.map_or(A::ONE, |ratio| A::attenuate(A::ONE, ratio));
             (A::unit_value(found) - exact).abs()
         })
         .fold(0.0, f64::max)

@@ -129,14 +129,14 @@ impl<M: Math> Arithmetic for Float<M> {
     }
 
     #[inline]
-    fn ratio(a: f32, b: f32) -> f32 {
+    fn ratio(a: f32, b: f32) -> Option<f32> {
         if a <= 0.0 {
             // −0 included.
-            0.0
+            Some(0.0)
         } else if a >= b {
-            1.0
+            None
         } else {
-            a / b
+            Some(a / b)
         }
     }
 

@@ -109,9 +109,9 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
     /// c^(1−p) for a cosine c ≥ 0.
     fn cosine_power(stored: &Self::CosinePower, cosine: Self::Cosine) -> Self::Unit;
-    /// a / max(a, b) for cosines that are not negative: exactly 1 where the
-    /// first is the larger; 0 where it is 0.
-    fn ratio(a: Self::Cosine, b: Self::Cosine) -> Self::Ratio;
+    /// a / max(a, b) for cosines that are not negative: `None` where it is
+    /// 1, which half of all directions have; 0 where both are 0.
+    fn ratio(a: Self::Cosine, b: Self::Cosine) -> Option<Self::Ratio>;
     /// A cosine that is not negative; at most 1, whatever the directions'
     /// lengths.
     fn cosine(cosine: Self::Cosine) -> Self::Ratio;

@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
-use super::short::scale;
+use super::short::{FACTOR, scale};
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -13,8 +13,6 @@ use crate::table::{CosineCurve, CosinePowerTable, ScaledTable, reciprocal, root}
 const COMPONENT_BITS: u32 = 14;
 /// Fraction bits of a cosine.
 const COSINE_BITS: u32 = 30;
-/// Fraction bits of a ratio.
-const RATIO_BITS: u32 = 16;
 
 /// 16-bit fixed point: directions in `I2F14`, shares in `U1F31`, lobes in
 /// tables of `KNOTS` knots.
@@ -28,10 +26,11 @@ const RATIO_BITS: u32 = 16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Q15<const KNOTS: usize = 129>;
 
-/// K as a mantissa of 16 bits and a shift, within 2⁻¹⁶ of its value:
-/// 2⁻²⁴ to 2³².
+/// K as a mantissa of 16 bits and a shift, within 2⁻¹⁶ of its value: 2⁻²⁴ to
+/// 2³².
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Gain15 {
+    /// In the upper half of the word.
     mantissa: u32,
     left: u32,
     right: u32,
@@ -50,7 +49,7 @@ impl Gain15 {
         let zeros = bits.leading_zeros();
         // K = mantissa · 2^(32 − zeros − 16).
         let mantissa = if zeros < 64 {
-            (((bits << zeros) >> 47) as u32).div_ceil(2)
+            rounded((bits << zeros >> 32) as u32)
         } else {
             0
         };
@@ -66,6 +65,11 @@ impl Gain15 {
             limit: u32::MAX >> left,
         }
     }
+}
+
+/// To 16 bits, but not beyond them.
+const fn rounded(mantissa: u32) -> u32 {
+    mantissa.saturating_add(1 << 15) & FACTOR
 }
 
 /// What constructors of models need.
@@ -104,7 +108,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     /// 29 fraction bits.
     type Versine = u32;
     type Unit = U1F31;
-    /// 16 fraction bits.
+    /// 32 fraction bits, of which 16 count: below 1.
     type Ratio = u32;
     type Scale = U32F32;
     type Radiance = U32F32;
@@ -203,19 +207,19 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
-    fn ratio(a: i32, b: i32) -> u32 {
+    fn ratio(a: i32, b: i32) -> Option<u32> {
         if a <= 0 {
-            0
+            Some(0)
         } else if a >= b {
-            1 << RATIO_BITS
+            None
         } else {
-            reciprocal::quotient(a as u32, b as u32)
+            Some(reciprocal::quotient(a as u32, b as u32))
         }
     }
 
     #[inline]
     fn cosine(cosine: i32) -> u32 {
-        (cosine.clamp(0, 1 << COSINE_BITS) as u32) >> (COSINE_BITS - RATIO_BITS)
+        (cosine.clamp(0, (1 << COSINE_BITS) - 1) as u32) << (32 - COSINE_BITS)
     }
 
     /// Truncates: off by less than 2⁻³¹.
@@ -236,7 +240,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     fn tint(share: U1F31, curve: &CosineCurve, cosine: i32) -> Rgb<U1F31> {
         let share = share.to_bits();
         Rgb::from_array(curve.at_short(cosine))
-            .map(|channel| U1F31::from_bits(scale(share, channel) << 1))
+            .map(|channel| U1F31::from_bits(scale(share, channel << 16) << 1))
     }
 
     /// The second factor is taken to 16 fraction bits: off by at most 2⁻¹⁶ of

@@ -182,15 +182,15 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     }
 
     #[inline]
-    fn ratio(a: I2F30, b: I2F30) -> U1F31 {
+    fn ratio(a: I2F30, b: I2F30) -> Option<U1F31> {
         let (a, b) = (a.to_bits(), b.to_bits());
         if a <= 0 {
-            U1F31::ZERO
+            Some(U1F31::ZERO)
         } else if a >= b {
-            U1F31::ONE
+            None
         } else {
             let quotient = (u64::from(a as u32) << UNIT_BITS) / u64::from(b as u32);
-            U1F31::from_bits(quotient as u32)
+            Some(U1F31::from_bits(quotient as u32))
         }
     }
 

@@ -41,11 +41,10 @@ pub struct Metallic;
 impl<A: Arithmetic> Foreshortening<A> for Metallic {
     #[inline]
     fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Unit {
-        // Half of all directions need no division.
-        if n_dot_l >= n_dot_v && n_dot_l > A::COSINE_ZERO {
-            return shape;
+        match A::ratio(n_dot_l, n_dot_v) {
+            None => shape,
+            Some(ratio) => A::attenuate(shape, ratio),
         }
-        A::attenuate(shape, A::ratio(n_dot_l, n_dot_v))
     }
 
     #[inline]

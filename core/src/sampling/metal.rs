@@ -40,8 +40,10 @@ impl<A: Sampling> Sample<A> for MetalSampler<A> {
         let reflectance = self.model.reflectance(larger::<A>(direction.cosine(), v.cosine()));
         Some(Drawn {
             direction,
-            weight: reflectance
-                .map(|channel| A::radiance(self.lobe.gain, A::attenuate(channel, ratio))),
+            weight: reflectance.map(|channel| {
+                let channel = ratio.map_or(channel, |ratio| A::attenuate(channel, ratio));
+                A::radiance(self.lobe.gain, channel)
+            }),
         })
     }
 

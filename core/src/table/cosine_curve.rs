@@ -78,17 +78,17 @@ impl CosineCurve {
     /// As [`Self::at`], in 32-bit steps; the result has 15 fraction bits.
     #[inline]
     pub(crate) fn at_short(&self, cosine: i32) -> [u32; 3] {
-        let cosine = cosine.clamp(0, 1 << 30) as u32;
+        let cosine = cosine.clamp(0, (1 << 30) - 1) as u32;
         // Cell, and the position within it with 8 fraction bits.
         let (cell, fraction) = if cosine < 1 << 28 {
             (cosine >> 22, (cosine >> 14) & 0xFF)
         } else {
             (FINE_CELLS as u32 - 16 + (cosine >> 24), (cosine >> 16) & 0xFF)
         };
-        let Some(left) = self.entries.get(cell as usize) else {
+        let cell = cell as usize;
+        let (Some(left), Some(right)) = (self.entries.get(cell), self.entries.get(cell + 1)) else {
             return [0; 3];
         };
-        let right = self.entries.get(cell as usize + 1).unwrap_or(left);
         [0, 1, 2].map(|channel| {
             let (from, to) = (i32::from(left[channel]), i32::from(right[channel]));
             (from + (((to - from) * fraction as i32 + 0x80) >> 8)) as u32
