@@ -141,13 +141,18 @@ impl<M: Math> Arithmetic for Float<M> {
     }
 
     #[inline]
-    fn cosine(cosine: f32) -> f32 {
-        if cosine > 0.0 { cosine.min(1.0) } else { 0.0 }
+    fn attenuate(share: f32, ratio: f32) -> f32 {
+        share * ratio
     }
 
     #[inline]
-    fn attenuate(share: f32, ratio: f32) -> f32 {
-        share * ratio
+    fn foreshorten(share: f32, cosine: f32) -> f32 {
+        // False for what is not a number, too.
+        if cosine > 0.0 {
+            share * cosine.min(1.0)
+        } else {
+            0.0
+        }
     }
 
     #[inline]

@@ -45,7 +45,7 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// A share, 0 … 1: lobe, ratio of cosines, reflectance. Holds numbers
     /// just below 2, because the red of a spectral metal can pass 1.
     type Unit: Copy + Debug + PartialEq + PartialOrd;
-    /// A ratio of cosines, or a cosine that is not negative, 0 … 1.
+    /// A ratio of cosines, 0 … 1.
     type Ratio: Copy;
     /// Peak of a BRDF over the share, in sr⁻¹.
     type Scale: Copy + Debug + PartialEq;
@@ -112,11 +112,10 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// a / max(a, b) for cosines that are not negative: `None` where it is
     /// 1, which half of all directions have; 0 where both are 0.
     fn ratio(a: Self::Cosine, b: Self::Cosine) -> Option<Self::Ratio>;
-    /// A cosine that is not negative; at most 1, whatever the directions'
-    /// lengths.
-    fn cosine(cosine: Self::Cosine) -> Self::Ratio;
     /// share · ratio.
     fn attenuate(share: Self::Unit, ratio: Self::Ratio) -> Self::Unit;
+    /// share · cosine, for a cosine that is not negative.
+    fn foreshorten(share: Self::Unit, cosine: Self::Cosine) -> Self::Unit;
     /// A curve over a cosine.
     fn curve(curve: &CosineCurve, cosine: Self::Cosine) -> Rgb<Self::Unit>;
     /// share · curve(cosine), per channel.

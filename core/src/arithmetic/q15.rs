@@ -217,21 +217,26 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         }
     }
 
-    #[inline]
-    fn cosine(cosine: i32) -> u32 {
-        (cosine.clamp(0, (1 << COSINE_BITS) - 1) as u32) << (32 - COSINE_BITS)
-    }
-
     /// Truncates: off by less than 2⁻³¹.
     #[inline]
     fn attenuate(share: U1F31, ratio: u32) -> U1F31 {
         U1F31::from_bits(scale(share.to_bits(), ratio))
     }
 
+    /// The cosine is taken to 15 fraction bits. One above 1, of a direction
+    /// that is too long, makes the share as much too great.
+    #[inline]
+    fn foreshorten(share: U1F31, cosine: i32) -> U1F31 {
+        // 31 fraction bits.
+        let cosine = (cosine as u32) << 1;
+        U1F31::from_bits(scale(share.to_bits(), cosine) << 1)
+    }
+
     #[inline]
     fn curve(curve: &CosineCurve, cosine: i32) -> Rgb<U1F31> {
         // 15 fraction bits, to 31.
-        Rgb::from_array(curve.at_short(cosine)).map(|channel| U1F31::from_bits(channel << 16))
+        Rgb::from_array(curve.at_short(cosine.max(0) as u32))
+            .map(|channel| U1F31::from_bits(channel << 16))
     }
 
     /// The curve is taken to 15 fraction bits: off by at most 2⁻¹⁵ of the
@@ -239,7 +244,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn tint(share: U1F31, curve: &CosineCurve, cosine: i32) -> Rgb<U1F31> {
         let share = share.to_bits();
-        Rgb::from_array(curve.at_short(cosine))
+        Rgb::from_array(curve.at_short(cosine as u32))
             .map(|channel| U1F31::from_bits(scale(share, channel << 16) << 1))
     }
 

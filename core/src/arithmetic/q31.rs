@@ -195,13 +195,14 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     }
 
     #[inline]
-    fn cosine(cosine: I2F30) -> U1F31 {
-        U1F31::from_bits((cosine.to_bits().clamp(0, 1 << COMPONENT_BITS) as u32) << 1)
+    fn attenuate(share: U1F31, ratio: U1F31) -> U1F31 {
+        Self::product(share, ratio)
     }
 
     #[inline]
-    fn attenuate(share: U1F31, ratio: U1F31) -> U1F31 {
-        Self::product(share, ratio)
+    fn foreshorten(share: U1F31, cosine: I2F30) -> U1F31 {
+        let cosine = cosine.to_bits().clamp(0, 1 << COMPONENT_BITS) as u32;
+        Self::product(share, U1F31::from_bits(cosine << 1))
     }
 
     #[inline]

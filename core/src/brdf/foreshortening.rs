@@ -25,7 +25,7 @@ pub struct Flat;
 impl<A: Arithmetic> Foreshortening<A> for Flat {
     #[inline]
     fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, _: A::Cosine) -> A::Unit {
-        A::attenuate(shape, A::cosine(n_dot_l))
+        A::foreshorten(shape, n_dot_l)
     }
 
     #[inline]

@@ -166,10 +166,9 @@ impl<A: Arithmetic> Brdf<A> for Plastic<A> {
         if !A::above_horizon(n_dot_l, n_dot_v) || !A::is_number(geometry.versine()) {
             return Rgb::grey(A::ZERO);
         }
-        let cosine = A::cosine(n_dot_l);
         let diffuse = self
             .diffuse_weight
-            .map(|weight| A::attenuate(weight, cosine));
+            .map(|weight| A::foreshorten(weight, n_dot_l));
         let highlight = self
             .highlight
             .share(geometry)

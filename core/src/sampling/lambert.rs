@@ -26,7 +26,7 @@ impl<A: Sampling> Sample<A> for Lambert<A> {
     #[inline]
     fn pdf(&self, l: &Direction<A>, v: &Direction<A>) -> A::Radiance {
         let share = if A::above_horizon(l.cosine(), v.cosine()) {
-            A::attenuate(A::ONE, A::cosine(l.cosine()))
+            A::foreshorten(A::ONE, l.cosine())
         } else {
             A::ZERO
         };

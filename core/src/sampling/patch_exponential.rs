@@ -109,7 +109,7 @@ impl<A: Sampling> Sample<A> for PatchExponentialSampler<A> {
             } else {
                 from_normal(l)
             };
-            A::attenuate(self.model.profile(distance), A::cosine(l.cosine()))
+            A::foreshorten(self.model.profile(distance), l.cosine())
         } else {
             A::ZERO
         };

@@ -75,23 +75,25 @@ impl CosineCurve {
         })
     }
 
-    /// As [`Self::at`], in 32-bit steps; the result has 15 fraction bits.
+    /// As [`Self::at`] for a cosine that is not negative, in 32-bit steps; the
+    /// result has 15 fraction bits.
     #[inline]
-    pub(crate) fn at_short(&self, cosine: i32) -> [u32; 3] {
-        let cosine = cosine.clamp(0, (1 << 30) - 1) as u32;
-        // Cell, and the position within it with 8 fraction bits.
-        let (cell, fraction) = if cosine < 1 << 28 {
-            (cosine >> 22, (cosine >> 14) & 0xFF)
+    pub(crate) fn at_short(&self, cosine: u32) -> [u32; 3] {
+        // Cells with 8 fraction bits.
+        let position = if cosine < 1 << 28 {
+            cosine >> 14
         } else {
-            (FINE_CELLS as u32 - 16 + (cosine >> 24), (cosine >> 16) & 0xFF)
+            (cosine >> 16) + ((FINE_CELLS as u32 - 16) << 8)
         };
-        let cell = cell as usize;
+        let cell = (position >> 8) as usize;
         let (Some(left), Some(right)) = (self.entries.get(cell), self.entries.get(cell + 1)) else {
-            return [0; 3];
+            // From cosine 1 on.
+            return self.entries[COSINE_KNOTS - 1].map(u32::from);
         };
+        let within = (position & 0xFF) as i32;
         [0, 1, 2].map(|channel| {
             let (from, to) = (i32::from(left[channel]), i32::from(right[channel]));
-            (from + (((to - from) * fraction as i32 + 0x80) >> 8)) as u32
+            (from + ((to - from) * within >> 8)) as u32
         })
     }
 
