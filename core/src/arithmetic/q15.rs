@@ -183,7 +183,8 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
 
     #[inline]
     fn lit(n_dot_l: i32, n_dot_v: i32) -> bool {
-        n_dot_l > 0 && n_dot_v >= 0
+        // Either sign bit.
+        n_dot_l.wrapping_sub(1) | n_dot_v >= 0
     }
 
     #[inline]
@@ -208,9 +209,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
 
     #[inline]
     fn ratio(a: i32, b: i32) -> Option<u32> {
-        if a <= 0 {
-            Some(0)
-        } else if a >= b {
+        if a >= b {
             None
         } else {
             Some(reciprocal::quotient(a as u32, b as u32))

@@ -27,50 +27,46 @@ fn scale_by_halves(share: u32, factor: u32) -> u32 {
     (share >> 16) * factor + ((share & 0xFFFF) * factor >> 16)
 }
 
-/// Two numbers, shifted alike to where the second has its highest bit set,
-/// unless it is 0; the first must not be greater.
+/// Zeros above the highest bit of a number, 32 for 0.
 #[inline]
-pub(crate) fn normalise(a: u32, b: u32) -> (u32, u32) {
+pub(crate) fn leading_zeros(number: u32) -> u32 {
     if cfg!(count_zeros) {
-        normalise_at_once(a, b)
+        number.leading_zeros()
     } else {
-        normalise_in_steps(a, b)
+        leading_zeros_by_table(number)
     }
 }
 
-#[inline]
-fn normalise_at_once(a: u32, b: u32) -> (u32, u32) {
-    let room = b.leading_zeros() % 32;
-    (a << room, b << room)
-}
+/// Zeros above the highest bit of a byte.
+static ZEROS: [u8; 256] = {
+    let mut table = [0; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        table[byte] = (byte as u8).leading_zeros() as u8;
+        byte += 1;
+    }
+    table
+};
 
+/// 256 bytes of table.
 #[inline]
-fn normalise_in_steps(mut a: u32, mut b: u32) -> (u32, u32) {
-    if b == 0 {
-        return (a, b);
+fn leading_zeros_by_table(number: u32) -> u32 {
+    let [a, b, c, d] = number.to_be_bytes();
+    let zeros = |byte: u8| u32::from(ZEROS[usize::from(byte)]);
+    if a != 0 {
+        zeros(a)
+    } else if b != 0 {
+        8 + zeros(b)
+    } else if c != 0 {
+        16 + zeros(c)
+    } else {
+        24 + zeros(d)
     }
-    while b < 1 << 24 {
-        a <<= 8;
-        b <<= 8;
-    }
-    if b < 1 << 28 {
-        a <<= 4;
-        b <<= 4;
-    }
-    if b < 1 << 30 {
-        a <<= 2;
-        b <<= 2;
-    }
-    if b < 1 << 31 {
-        a <<= 1;
-        b <<= 1;
-    }
-    (a, b)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{normalise_at_once, normalise_in_steps, scale_at_once, scale_by_halves};
+    use super::{leading_zeros_by_table, scale_at_once, scale_by_halves};
 
     #[test]
     fn both_ways_to_scale_give_the_same_bits() {
@@ -85,17 +81,12 @@ mod tests {
     }
 
     #[test]
-    fn both_ways_to_normalise_agree() {
+    fn both_ways_to_count_zeros_agree() {
         for bit in 0..32 {
-            for b in [1u32 << bit, (1 << bit) | 1, u32::MAX >> (31 - bit)] {
-                for a in [0, 1, b / 2, b] {
-                    let (found, divisor) = normalise_in_steps(a, b);
-                    assert_eq!((found, divisor), normalise_at_once(a, b), "{a}, {b}");
-                    assert!(divisor >= 1 << 31);
-                    assert_eq!(u64::from(found) * u64::from(b), u64::from(a) * u64::from(divisor));
-                }
+            for number in [1u32 << bit, (1 << bit) | 1, u32::MAX >> (31 - bit)] {
+                assert_eq!(leading_zeros_by_table(number), number.leading_zeros());
             }
         }
-        assert_eq!(normalise_in_steps(0, 0), normalise_at_once(0, 0));
+        assert_eq!(leading_zeros_by_table(0), 32);
     }
 }

@@ -1,6 +1,6 @@
 //! Quotients of two cosines, without a division.
 
-use crate::arithmetic::short::normalise;
+use crate::arithmetic::short::leading_zeros;
 
 /// Cells in [1/2, 1) of a divisor of 16 bits.
 const FIRST: u32 = 64;
@@ -42,7 +42,9 @@ const fn lowered(knot: u32) -> u32 {
 /// 256 bytes of table.
 #[inline]
 pub(crate) fn quotient(a: u32, b: u32) -> u32 {
-    let (a, b) = normalise(a, b);
+    // The divisor's highest bit becomes the word's.
+    let room = leading_zeros(b) % 32;
+    let (a, b) = (a << room, b << room);
     let cell = CELLS[(b >> (CELL_BITS + 16)) as usize % CELLS.len()];
     let within = (b >> 16) % (1 << CELL_BITS);
     let reciprocal = (cell >> 16) - ((cell & 0xFFFF) * within >> CELL_BITS);

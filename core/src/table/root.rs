@@ -1,5 +1,7 @@
 //! Square root in 32-bit steps.
 
+use crate::arithmetic::short::leading_zeros;
+
 /// Cells of a mantissa in [1/4, 1).
 const FIRST: u32 = 32;
 const LAST: u32 = 128;
@@ -34,19 +36,17 @@ const fn root_of(knot: u32) -> u32 {
 /// 384 bytes of table.
 #[inline]
 pub(crate) fn root(q: u32) -> u32 {
-    let shift = q.leading_zeros() & !1;
-    // 0 has 32 leading zeros.
-    let Some(mantissa) = q.checked_shl(shift) else {
-        return 0;
-    };
-    let cell = ((mantissa >> 25).wrapping_sub(FIRST)) as usize;
-    let Some(&cell) = CELLS.get(cell) else {
+    // An even shift, so that half of it is the root's.
+    let half = leading_zeros(q) / 2 % 16;
+    let mantissa = q << (2 * half);
+    // 0 stays below the first cell.
+    let Some(&cell) = CELLS.get((mantissa >> 25).wrapping_sub(FIRST) as usize) else {
         return 0;
     };
     let within = (mantissa >> (25 - POSITION_BITS)) % (1 << POSITION_BITS);
     let root = ((cell >> 16) << POSITION_BITS) + (cell & 0xFFFF) * within;
-    // 28 bits, scaled to 31, then back by half of the shift.
-    (root << 3) >> (shift / 2)
+    // 28 bits, scaled to 31, then back.
+    (root << 3) >> half
 }
 
 #[cfg(test)]
