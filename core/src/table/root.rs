@@ -2,29 +2,29 @@
 
 use crate::arithmetic::short::leading_zeros;
 
-/// Cells of a mantissa in [1/4, 1).
-const FIRST: u32 = 32;
-const LAST: u32 = 128;
+/// Cells of a mantissa below 1; those below 1/4 are 0's alone.
+const CELL_COUNT: usize = 128;
+const FIRST: usize = CELL_COUNT / 4;
 /// Bits of the position within a cell that are used, of 25.
 const POSITION_BITS: u32 = 12;
 
 /// Root at the left end of a cell with 16 bits, and its rise over the cell in
 /// the lower half.
-static CELLS: [u32; (LAST - FIRST) as usize] = cells();
+static CELLS: [u32; CELL_COUNT] = cells();
 
-const fn cells() -> [u32; (LAST - FIRST) as usize] {
-    let mut table = [0; (LAST - FIRST) as usize];
+const fn cells() -> [u32; CELL_COUNT] {
+    let mut table = [0; CELL_COUNT];
     let mut cell = FIRST;
-    while cell < LAST {
+    while cell < CELL_COUNT {
         let left = root_of(cell);
-        table[(cell - FIRST) as usize] = (left << 16) | (root_of(cell + 1) - left);
+        table[cell] = (left << 16) | (root_of(cell + 1) - left);
         cell += 1;
     }
     table
 }
 
 /// √(knot/128) with 16 fraction bits, at most 2¹⁶ − 1.
-const fn root_of(knot: u32) -> u32 {
+const fn root_of(knot: usize) -> u32 {
     // 2 · √ in one more bit, rounded.
     let root = (((knot as u64) << 27).isqrt() as u32).div_ceil(2);
     if root < 0xFFFF { root } else { 0xFFFF }
@@ -33,16 +33,13 @@ const fn root_of(knot: u32) -> u32 {
 /// √q with 15 fraction bits for an integer `q` below 2³¹; within 4e-5 of its
 /// value and a step, `table::root::tests`.
 ///
-/// 384 bytes of table.
+/// 512 bytes of table.
 #[inline]
 pub(crate) fn root(q: u32) -> u32 {
     // An even shift, so that half of it is the root's.
     let half = leading_zeros(q) / 2 % 16;
     let mantissa = q << (2 * half);
-    // 0 stays below the first cell.
-    let Some(&cell) = CELLS.get((mantissa >> 25).wrapping_sub(FIRST) as usize) else {
-        return 0;
-    };
+    let cell = CELLS[(mantissa >> 25) as usize];
     let within = (mantissa >> (25 - POSITION_BITS)) % (1 << POSITION_BITS);
     let root = ((cell >> 16) << POSITION_BITS) + (cell & 0xFFFF) * within;
     // 28 bits, scaled to 31, then back.
