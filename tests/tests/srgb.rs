@@ -1,6 +1,6 @@
 //! The sRGB encoder, for every input.
 
-use microbrdf::shade::{LINEAR_ONE, Linear, srgb8};
+use microbrdf::shade::{LINEAR_ONE, Linear, srgb8, srgb8_quick};
 
 /// IEC 61966-2-1, code as a real number.
 fn encoded(linear: f64) -> f64 {
@@ -26,6 +26,19 @@ fn every_linear_value_gets_its_rounded_code() {
         );
     }
     assert!(greatest > 0.499, "the test saw no value near a threshold");
+}
+
+#[test]
+fn the_quick_encoder_is_a_tenth_of_a_code_less_exact() {
+    let mut greatest = 0.0f64;
+    for linear in 0..=LINEAR_ONE {
+        let exact = encoded(f64::from(linear) / f64::from(LINEAR_ONE));
+        greatest = greatest.max((f64::from(srgb8_quick(linear)) - exact).abs());
+    }
+    assert!((0.595..=0.60).contains(&greatest), "{greatest}");
+    assert_eq!(srgb8_quick(0), 0);
+    assert_eq!(srgb8_quick(LINEAR_ONE), 255);
+    assert_eq!(srgb8_quick(u32::MAX), 255);
 }
 
 #[test]

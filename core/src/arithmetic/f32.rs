@@ -7,7 +7,7 @@ use super::math::{Libm, Math};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::{LINEAR_ONE, Linear};
-use crate::table::CosineCurve;
+use crate::table::{CosineCurve, ProfileCurve};
 
 /// Single precision, the same bits on every core; `M` is where exponentials
 /// and roots come from.
@@ -117,6 +117,15 @@ impl<M: Math> Arithmetic for Float<M> {
     #[inline]
     fn profile(s: &f32, m_squared: f32) -> f32 {
         finite(M::exp(-s * M::root(m_squared)))
+    }
+
+    #[inline]
+    fn free_profile(curve: &ProfileCurve, m_squared: f32) -> f32 {
+        if Self::is_number(m_squared) {
+            curve.at_f32(M::root(m_squared))
+        } else {
+            0.0
+        }
     }
 
     #[inline]

@@ -24,7 +24,7 @@ use core::fmt::Debug;
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
-use crate::table::CosineCurve;
+use crate::table::{CosineCurve, ProfileCurve};
 
 /// The steps of which every model of this crate is made, in one way to
 /// compute. Implemented by zero-sized markers.
@@ -107,6 +107,8 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn power(stored: &Self::Power, x: Self::Versine) -> Self::Unit;
     /// ξ(m) for m².
     fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
+    /// ξ(m) for m², of a free profile.
+    fn free_profile(curve: &ProfileCurve, m_squared: Self::Separation) -> Self::Unit;
     /// c^(1−p) for a cosine c ≥ 0.
     fn cosine_power(stored: &Self::CosinePower, cosine: Self::Cosine) -> Self::Unit;
     /// a / max(a, b) for cosines that are not negative: `None` where it is

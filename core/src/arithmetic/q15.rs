@@ -7,7 +7,7 @@ use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
-use crate::table::{CosineCurve, CosinePowerTable, ScaledTable, reciprocal, root};
+use crate::table::{CosineCurve, CosinePowerTable, ProfileCurve, ScaledTable, reciprocal, root};
 
 /// Fraction bits of a component.
 const COMPONENT_BITS: u32 = 14;
@@ -200,6 +200,11 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn profile(table: &ScaledTable<KNOTS>, m_squared: u32) -> U1F31 {
         U1F31::from_bits(table.at(root::root(m_squared)))
+    }
+
+    #[inline]
+    fn free_profile(curve: &ProfileCurve, m_squared: u32) -> U1F31 {
+        U1F31::from_bits(curve.at_short(root::root(m_squared)))
     }
 
     #[inline]

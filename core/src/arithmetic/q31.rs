@@ -6,7 +6,7 @@ use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
-use crate::table::{CosineCurve, CosinePowerTable, UniformTable};
+use crate::table::{CosineCurve, CosinePowerTable, ProfileCurve, UniformTable};
 
 /// Fraction bits of a component.
 pub(crate) const COMPONENT_BITS: u32 = 30;
@@ -174,6 +174,11 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     #[inline]
     fn profile(table: &UniformTable<CELLS>, m_squared: u64) -> U1F31 {
         U1F31::from_bits(table.at(m_squared.isqrt() << (PROFILE_BITS - COMPONENT_BITS)))
+    }
+
+    #[inline]
+    fn free_profile(curve: &ProfileCurve, m_squared: u64) -> U1F31 {
+        U1F31::from_bits(curve.at(m_squared.isqrt() << (UNIT_BITS - COMPONENT_BITS)))
     }
 
     #[inline]

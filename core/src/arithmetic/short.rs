@@ -24,7 +24,7 @@ fn scale_at_once(share: u32, factor: u32) -> u32 {
 #[inline]
 fn scale_by_halves(share: u32, factor: u32) -> u32 {
     let factor = factor >> 16;
-    (share >> 16) * factor + ((share & 0xFFFF) * factor >> 16)
+    (share >> 16) * factor + (((share & 0xFFFF) * factor) >> 16)
 }
 
 /// Zeros above the highest bit of a number, 32 for 0.

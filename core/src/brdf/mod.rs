@@ -13,6 +13,7 @@ mod lambert;
 mod metal;
 mod patch;
 mod patch_exponential;
+mod patch_profile;
 mod phong;
 mod plastic;
 
@@ -22,6 +23,7 @@ pub use metal::Metal;
 pub use patch::Patch;
 pub use patch_exponential::PatchExponential;
 pub(crate) use patch_exponential::mixture_mass;
+pub use patch_profile::PatchProfile;
 pub use phong::{Axis, MetallicPhong, Mirror, PModel, Phong, PhongLobe, Retro, RetroPhong};
 pub use plastic::Plastic;
 

@@ -37,7 +37,9 @@ impl<A: Sampling> Sample<A> for MetalSampler<A> {
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
         let direction = self.lobe.draw::<Mirror>(v, random)?;
         let ratio = A::ratio(direction.cosine(), v.cosine());
-        let reflectance = self.model.reflectance(larger::<A>(direction.cosine(), v.cosine()));
+        let reflectance = self
+            .model
+            .reflectance(larger::<A>(direction.cosine(), v.cosine()));
         Some(Drawn {
             direction,
             weight: reflectance.map(|channel| {

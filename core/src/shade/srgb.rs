@@ -7,7 +7,7 @@
 use crate::table::integer::{ONE, exp_neg, neg_ln_one_minus, round_to, times};
 
 /// Fraction bits of linear light.
-const LINEAR_BITS: u32 = 24;
+pub(super) const LINEAR_BITS: u32 = 24;
 /// Cells below 1/16, each 2⁻¹² wide; then 2⁻¹⁰ below 1/4; then 2⁻⁸.
 const DARK_CELLS: usize = 256;
 const MIDDLE_CELLS: usize = 192;
@@ -16,7 +16,7 @@ const CELLS: usize = DARK_CELLS + MIDDLE_CELLS + LIGHT_CELLS;
 
 /// `THRESHOLDS[c]` is the least linear value whose code is above `c`; no
 /// value passes the last.
-static THRESHOLDS: [u32; 256] = thresholds();
+pub(super) static THRESHOLDS: [u32; 256] = thresholds();
 /// Code at the left end of each cell.
 static STARTS: [u8; CELLS] = starts();
 

@@ -93,7 +93,7 @@ impl CosineCurve {
         let within = (position & 0xFF) as i32;
         [0, 1, 2].map(|channel| {
             let (from, to) = (i32::from(left[channel]), i32::from(right[channel]));
-            (from + ((to - from) * within >> 8)) as u32
+            (from + (((to - from) * within) >> 8)) as u32
         })
     }
 

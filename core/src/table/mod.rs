@@ -3,6 +3,7 @@
 mod cosine_curve;
 mod cosine_power;
 pub(crate) mod integer;
+mod profile_curve;
 pub(crate) mod reciprocal;
 pub(crate) mod root;
 mod scaled;
@@ -10,5 +11,6 @@ mod uniform;
 
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
 pub use cosine_power::CosinePowerTable;
+pub use profile_curve::{PROFILE_KNOTS, ProfileCurve};
 pub use scaled::ScaledTable;
 pub use uniform::UniformTable;

@@ -47,7 +47,7 @@ pub(crate) fn quotient(a: u32, b: u32) -> u32 {
     let (a, b) = (a << room, b << room);
     let cell = CELLS[(b >> (CELL_BITS + 16)) as usize % CELLS.len()];
     let within = (b >> 16) % (1 << CELL_BITS);
-    let reciprocal = (cell >> 16) - ((cell & 0xFFFF) * within >> CELL_BITS);
+    let reciprocal = (cell >> 16) - (((cell & 0xFFFF) * within) >> CELL_BITS);
     // 31 fraction bits, of which 16 are kept: round to them.
     ((a >> 16) * reciprocal + (1 << 14)) << 1
 }
@@ -81,7 +81,9 @@ mod tests {
     fn cosines_of_30_bits_are_within_the_bound() {
         let mut random = 1u64;
         let mut draw = || {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            random = random
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
             (random >> 34) as u32
         };
         for _ in 0..1 << 20 {

@@ -1,7 +1,7 @@
 //! Single steps: dot products, and the encoding of one channel.
 
 use microbrdf::arithmetic::Arithmetic;
-use microbrdf::shade::srgb8;
+use microbrdf::shade::{srgb8, srgb8_quick};
 
 use crate::call::Light;
 #[cfg(not(target_os = "none"))]
@@ -12,6 +12,13 @@ use crate::call::{Call, Kernel};
 #[unsafe(export_name = "srgb8")]
 pub extern "C" fn srgb(linear: u32) -> u32 {
     u32::from(srgb8(linear))
+}
+
+/// The same in one look-up.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "srgb8_quick")]
+pub extern "C" fn srgb_quick(linear: u32) -> u32 {
+    u32::from(srgb8_quick(linear))
 }
 
 /// N·L, N·V and L·V.
@@ -41,10 +48,23 @@ dots!(q15, microbrdf::arithmetic::Q15);
 /// What they are.
 #[cfg(not(target_os = "none"))]
 pub(crate) const KERNELS: &[Kernel] = &[
-    step("srgb8", "integer", "srgb8", Call::Number(srgb)),
-    step("f32_dots", "f32", DOTS, Call::World(f32::dots)),
-    step("q31_dots", "q31", DOTS, Call::World(q31::dots)),
-    step("q15_dots", "q15", DOTS, Call::ShortWorld(q15::dots)),
+    step(
+        "srgb8",
+        "integer",
+        "core, exact",
+        "srgb8",
+        Call::Number(srgb),
+    ),
+    step(
+        "srgb8_quick",
+        "integer",
+        "core, one look-up",
+        "srgb8",
+        Call::Number(srgb_quick),
+    ),
+    step("f32_dots", "f32", "core", DOTS, Call::World(f32::dots)),
+    step("q31_dots", "q31", "core", DOTS, Call::World(q31::dots)),
+    step("q15_dots", "q15", "core", DOTS, Call::ShortWorld(q15::dots)),
 ];
 
 #[cfg(not(target_os = "none"))]
@@ -54,13 +74,14 @@ const DOTS: &str = "three dot products";
 const fn step(
     name: &'static str,
     arithmetic: &'static str,
+    variant: &'static str,
     model: &'static str,
     call: Call,
 ) -> Kernel {
     Kernel {
         name,
         arithmetic,
-        variant: "core",
+        variant,
         model,
         fields: "",
         width: 1.0,

@@ -135,7 +135,7 @@ fn run(command: Command) -> Result<()> {
                 .map(|kernel| {
                     let errors = match Subject::new(kernel) {
                         Some(subject) => errors::measure(&subject),
-                        None if kernel.name == "srgb8" => vec![errors::encoding(kernel)],
+                        None if kernel.model == "srgb8" => vec![errors::encoding(kernel)],
                         None => Vec::new(),
                     };
                     (kernel.name, errors)
