@@ -48,6 +48,9 @@ pub trait Tested: HostArithmetic<Unit: Raw, Value: Raw, Radiance: Raw, Scale: Ra
     const UNIT_STEP: f64;
     /// What is added to it, of a lobe's peak.
     const LOBE_FLOOR: f64;
+    /// What is added to the error of a ratio of two cosines, `core`'s
+    /// `table::reciprocal::tests`.
+    const RATIO_FLOOR: f64;
     /// Greatest error of a product of two shares, relative to the first.
     const PRODUCT_ERROR: f64;
     /// Greatest error of a gain, relative to it.
@@ -114,6 +117,7 @@ where
     const LOBE_ERROR: f64 = M::LOBE_ERROR;
     const UNIT_STEP: f64 = 1.0 / (1u64 << 24) as f64;
     const LOBE_FLOOR: f64 = M::LOBE_FLOOR;
+    const RATIO_FLOOR: f64 = 0.0;
     const PRODUCT_ERROR: f64 = M::POWER_ERROR;
     const GAIN_ERROR: f64 = 2e-7;
     const EXPOSURE_STEP: f64 = 0.0;
@@ -142,7 +146,7 @@ where
 }
 
 macro_rules! fixed_point {
-    ($arithmetic:ident, $gain:ident, $component:literal, $lobe:literal, $unit:literal, $product:literal, $gain_error:literal, $code:literal, $noise:literal) => {
+    ($arithmetic:ident, $gain:ident, $component:literal, $lobe:literal, $unit:literal, $ratio:literal, $product:literal, $gain_error:literal, $code:literal, $noise:literal) => {
         impl<const SIZE: usize> Tested for $arithmetic<SIZE> {
             const FRACTIONAL_EXPONENTS: bool = false;
             const COMPONENT_ERROR: f64 = 1.0 / (1u64 << $component) as f64;
@@ -150,6 +154,7 @@ macro_rules! fixed_point {
             const LOBE_ERROR: f64 = $lobe;
             const UNIT_STEP: f64 = 1.0 / (1u64 << $unit) as f64;
             const LOBE_FLOOR: f64 = 0.0;
+            const RATIO_FLOOR: f64 = $ratio;
             const PRODUCT_ERROR: f64 = $product;
             const GAIN_ERROR: f64 = $gain_error;
             // Those that truncate lose the last of a share's 31 bits.
@@ -184,8 +189,8 @@ macro_rules! fixed_point {
     };
 }
 
-fixed_point!(Q31, Gain31, 31, 1.9e-4, 31, 1e-6, 2e-7, 0.54, 0.02);
-fixed_point!(Q15, Gain15, 15, 2.3e-3, 24, 1.6e-5, 1.6e-5, 0.73, 0.7);
+fixed_point!(Q31, Gain31, 31, 1.9e-4, 31, 0.0, 1e-6, 2e-7, 0.54, 0.02);
+fixed_point!(Q15, Gain15, 15, 2.3e-3, 24, 1e-5, 1.6e-5, 1.6e-5, 0.73, 0.7);
 
 /// A direction, each component rounded once.
 pub fn rounded<A: HostArithmetic>([x, y, z]: [f64; 3]) -> Direction<A> {

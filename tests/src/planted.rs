@@ -53,6 +53,7 @@ const fn bug(
 const BRDF: &str = "core/src/brdf/mod.rs";
 const F32: &str = "core/src/arithmetic/f32.rs";
 const Q31: &str = "core/src/arithmetic/q31.rs";
+const SHORT: &str = "core/src/arithmetic/short.rs";
 const METAL: &str = "core/src/brdf/metal.rs";
 const PHONG: &str = "core/src/brdf/phong.rs";
 const FRAME: &str = "core/src/geometry/shading_frame.rs";
@@ -149,7 +150,7 @@ pub const BUGS: &[Bug] = &[
     bug(
         "the height is left out of x in world space",
         WORLD,
-        "            A::difference(self.cosines.0, self.cosines.1),\n",
+        "            A::height(self.cosines.0, self.cosines.1),\n",
         "",
         &["frames"],
     ),
@@ -191,8 +192,8 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a cosine above 1 is not clamped (f32)",
         F32,
-        "if cosine > 0.0 { cosine.min(1.0) } else { 0.0 }",
-        "if cosine > 0.0 { cosine } else { 0.0 }",
+        "share * cosine.min(1.0)",
+        "share * cosine",
         &["corners"],
     ),
     bug(
@@ -282,15 +283,15 @@ pub const BUGS: &[Bug] = &[
     bug(
         "the ratio upside down",
         "core/src/brdf/foreshortening.rs",
-        "if n_dot_l >= n_dot_v && n_dot_l > A::COSINE_ZERO {",
-        "if n_dot_l <= n_dot_v && n_dot_l > A::COSINE_ZERO {",
+        "match A::ratio(n_dot_l, n_dot_v) {",
+        "match A::ratio(n_dot_v, n_dot_l) {",
         &["values"],
     ),
     bug(
         "below the horizon there is light",
         Q31,
-        "n_dot_l >= I2F30::ZERO && n_dot_v >= I2F30::ZERO",
-        "n_dot_l >= I2F30::ZERO || n_dot_v >= I2F30::ZERO",
+        "n_dot_l > I2F30::ZERO && n_dot_v >= I2F30::ZERO",
+        "n_dot_l > I2F30::ZERO || n_dot_v >= I2F30::ZERO",
         &["physics"],
     ),
     bug(
@@ -338,15 +339,15 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a sample below the horizon is kept",
         "core/src/sampling/phong.rs",
-        "A::above_horizon(l.z, v.z).then_some(l)",
+        "A::above_horizon(l.cosine(), v.cosine()).then_some(l)",
         "Some(l)",
         &["sampling"],
     ),
     bug(
         "a sample's Fresnel factor is V's",
         "core/src/sampling/metal.rs",
-        "self.model.reflectance(larger::<A>(direction.z, v.z))",
-        "self.model.reflectance(v.z)",
+        "larger::<A>(direction.cosine(), v.cosine())",
+        "v.cosine()",
         &["sampling"],
     ),
     bug(
@@ -364,10 +365,10 @@ pub const BUGS: &[Bug] = &[
         &["values"],
     ),
     bug(
-        "a ratio of cosines passes 1",
+        "a ratio of cosines just below 1 wraps around",
         "core/src/table/reciprocal.rs",
-        "((a * reciprocal) >> (SCALE_BITS - 20)).min(1 << 20)",
-        "(a * reciprocal) >> (SCALE_BITS - 20)",
+        "/ (c * c * c) + 3;",
+        "/ (c * c * c);",
         &["lib"],
     )
     .of("core"),
@@ -380,9 +381,25 @@ pub const BUGS: &[Bug] = &[
     ),
     bug(
         "a product loses its lower half (q15)",
-        "core/src/arithmetic/q15.rs",
-        "U1F31::from_bits(high.wrapping_add(low >> 12))",
-        "U1F31::from_bits(high)",
+        SHORT,
+        "u64::from(share) * u64::from(factor & FACTOR)",
+        "u64::from(share & FACTOR) * u64::from(factor & FACTOR)",
         &["accuracy"],
     ),
+    bug(
+        "a product of halves loses its lower one",
+        SHORT,
+        "(share >> 16) * factor + (((share & 0xFFFF) * factor) >> 16)",
+        "(share >> 16) * factor",
+        &["lib"],
+    )
+    .of("core"),
+    bug(
+        "zeros are counted from the second byte on",
+        SHORT,
+        "        8 + zeros(b)",
+        "        zeros(b)",
+        &["lib"],
+    )
+    .of("core"),
 ];

@@ -459,6 +459,7 @@ fn every_model_is_exact_at_the_ends_of_exposure<A: Tested>() {
                     for (shown, rho) in shown.into_iter().zip(exact) {
                         // The share's own steps: of its value, or of 1.
                         let steps = A::LOBE_FLOOR
+                            + A::RATIO_FLOOR
                             + if A::FRACTIONAL_EXPONENTS {
                                 rho / f64::from(1 << 21)
                             } else {

@@ -152,7 +152,7 @@ impl Shape {
             Self::Patch { .. } => 0.0,
             _ => A::LOBE_ERROR,
         };
-        let step = 4.0 * A::UNIT_STEP + A::LOBE_FLOOR;
+        let step = 4.0 * A::UNIT_STEP + A::LOBE_FLOOR + 4.0 * A::RATIO_FLOOR;
         [
             self.at(far) * low * (1.0 - stored) - step,
             self.at(near) * high * (1.0 + stored) + step,

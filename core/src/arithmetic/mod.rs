@@ -118,6 +118,12 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn attenuate(share: Self::Unit, ratio: Self::Ratio) -> Self::Unit;
     /// share · cosine, for a cosine that is not negative.
     fn foreshorten(share: Self::Unit, cosine: Self::Cosine) -> Self::Unit;
+    /// A share, at most 1: where [`Self::foreshorten`] lets the cosine of a
+    /// direction that is too long pass 1, because a pixel is clamped anyway.
+    #[inline]
+    fn bounded(share: Self::Unit) -> Self::Unit {
+        share
+    }
     /// A curve over a cosine.
     fn curve(curve: &CosineCurve, cosine: Self::Cosine) -> Rgb<Self::Unit>;
     /// share · curve(cosine), per channel.

@@ -151,7 +151,8 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn height(a: i32, b: i32) -> i32 {
         const DROP: u32 = COSINE_BITS - COMPONENT_BITS;
-        a.wrapping_sub(b).wrapping_add(1 << (DROP - 1)) >> DROP
+        // Of each one's own steps: symmetric in both, to the bit.
+        (a >> DROP) - (b >> DROP)
     }
 
     #[inline]
@@ -159,7 +160,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         // Fraction bits of the sum that its product with a component can take.
         const HEIGHT: u32 = 15;
         let height = (cosines.0 >> (COSINE_BITS - HEIGHT)) + (cosines.1 >> (COSINE_BITS - HEIGHT));
-        let along = height * i32::from(n.to_bits());
+        let along = height.wrapping_mul(i32::from(n.to_bits()));
         Self::sum(l, v) - (along.wrapping_add(1 << (HEIGHT - 1)) >> HEIGHT)
     }
 
@@ -227,13 +228,17 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         U1F31::from_bits(scale(share.to_bits(), ratio))
     }
 
-    /// The cosine is taken to 15 fraction bits. One above 1, of a direction
-    /// that is too long, makes the share as much too great.
+    /// The cosine is taken to 15 fraction bits.
     #[inline]
     fn foreshorten(share: U1F31, cosine: i32) -> U1F31 {
         // 31 fraction bits.
         let cosine = (cosine as u32) << 1;
         U1F31::from_bits(scale(share.to_bits(), cosine) << 1)
+    }
+
+    #[inline]
+    fn bounded(share: U1F31) -> U1F31 {
+        share.min(U1F31::ONE)
     }
 
     #[inline]

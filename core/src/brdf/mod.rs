@@ -98,26 +98,42 @@ impl<A: Arithmetic, S: Shape<Arithmetic = A>> Brdf<A> for S {
         self.amplitude()
     }
 
-    // A shading loop calls it once for a material: let the loop hold it.
-    #[inline(always)]
+    #[inline]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
-        let (n_dot_l, n_dot_v) = geometry.cosines();
-        if !A::lit(n_dot_l, n_dot_v) {
-            return Rgb::grey(A::ZERO);
-        }
-        let lobe = self.lobe(geometry);
-        // Most directions lie outside a narrow lobe: spare them the division.
-        if lobe == A::ZERO {
-            return Rgb::grey(lobe);
-        }
-        let share = self.foreshortening().attenuate(lobe, n_dot_l, n_dot_v);
-        self.coloured(share, geometry)
+        share_of(self, geometry, A::bounded)
+    }
+
+    // A shading loop calls it once for a material: let the loop hold it. The
+    // pixel is clamped in any case.
+    #[inline(always)]
+    fn shade(&self, gain: &Rgb<A::Gain>, geometry: &impl Geometry<A>) -> Rgb<A::Light> {
+        gain.zip(share_of(self, geometry, |share| share), A::expose)
     }
 
     #[inline]
     fn brdf(&self, geometry: &impl Geometry<A>) -> Rgb<A::Value> {
         tinted_brdf(self, Rgb::grey(A::ONE), geometry)
     }
+}
+
+/// The share of a shape, with what `limit` leaves of the part without colour.
+#[inline(always)]
+fn share_of<A: Arithmetic>(
+    model: &impl Shape<Arithmetic = A>,
+    geometry: &impl Geometry<A>,
+    limit: impl Fn(A::Unit) -> A::Unit,
+) -> Rgb<A::Unit> {
+    let (n_dot_l, n_dot_v) = geometry.cosines();
+    if !A::lit(n_dot_l, n_dot_v) {
+        return Rgb::grey(A::ZERO);
+    }
+    let lobe = model.lobe(geometry);
+    // Most directions lie outside a narrow lobe: spare them the division.
+    if lobe == A::ZERO {
+        return Rgb::grey(lobe);
+    }
+    let share = model.foreshortening().attenuate(lobe, n_dot_l, n_dot_v);
+    model.coloured(limit(share), geometry)
 }
 
 /// The BRDF of a shape, times a tint.

@@ -37,9 +37,8 @@ impl<A: Sampling> Sample<A> for MetalSampler<A> {
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
         let direction = self.lobe.draw::<Mirror>(v, random)?;
         let ratio = A::ratio(direction.cosine(), v.cosine());
-        let reflectance = self
-            .model
-            .reflectance(larger::<A>(direction.cosine(), v.cosine()));
+        let cos_min = larger::<A>(direction.cosine(), v.cosine());
+        let reflectance = self.model.reflectance(cos_min);
         Some(Drawn {
             direction,
             weight: reflectance.map(|channel| {
