@@ -44,6 +44,10 @@ impl Math for Approximate {
         if y <= 0.0 {
             return 0.0;
         }
+        if y.is_nan() {
+            // Its steps overflow for some of these.
+            return y;
+        }
         let newton = |inverse: f32| inverse * (1.5 - 0.5 * y * inverse * inverse);
         y * newton(newton(Rough(y).invsqrt().0))
     }

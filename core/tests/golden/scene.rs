@@ -1,0 +1,143 @@
+//! Small pictures: rays, shapes, materials, daylight, every encoding.
+
+use microbrdf::Rgb;
+use microbrdf::brdf::{Metallic, Mirror};
+use microbrdf::geometry::Direction;
+use microbrdf::shade::{
+    AlbedoDaylight, Camera, Coat, Linear, NoDaylight, Plane, Scene, Sphere, Surface, grey16,
+};
+use microbrdf_bits::Checksum;
+
+use crate::Sums;
+use crate::given::{self, Viewed, direction};
+
+/// Adds a sum for each picture.
+pub fn add<A: Viewed>(sums: &mut Sums) {
+    sums.push(
+        "scene, from above",
+        picture::<A>([0.0, 0.6, -0.8], 37, 23, 0.02),
+    );
+    sums.push("scene, level", picture::<A>([0.0, 1.0, 0.0], 18, 30, 0.06));
+    sums.push(
+        "scene, upwards",
+        picture::<A>([0.28, -0.0, 0.96], 9, 8, 0.1),
+    );
+}
+
+/// A picture towards `forward`, with steps of `step` for half a pixel.
+fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> u64 {
+    let [fx, fy, fz] = forward;
+    let number = |numbers: [f64; 3]| numbers.map(A::fine);
+    // Right is level, up is right × forward.
+    let long = f64::hypot(fx, fy);
+    let right = [fy / long, -fx / long, 0.0];
+    let up = [
+        right[1] * fz - right[2] * fy,
+        right[2] * fx - right[0] * fz,
+        right[0] * fy - right[1] * fx,
+    ];
+    let camera = Camera::<A> {
+        width,
+        height,
+        forward: number(forward),
+        right: number(right.map(|c| c * step)),
+        up: number(up.map(|c| c * step)),
+    };
+    let sphere = |centre: [f64; 3], radius: f64, material| Sphere::<A> {
+        eye: centre.map(|c| A::length(-c / radius)),
+        radius: A::length(radius),
+        material,
+    };
+    let spheres = [
+        sphere([0.0, 4.0, -1.0], 1.0, 0),
+        sphere([1.0, 3.0, -0.5], 0.5, 1),
+        sphere([-1.5, 6.0, -2.5], 2.0, 2),
+        // Behind the eye.
+        sphere([0.0, -4.0, 0.0], 1.5, 1),
+        // Nearly a hundred radii away.
+        sphere([0.5, 11.0, 0.6], 0.12, 0),
+        // No such material.
+        sphere([-2.0, 3.5, 0.3], 0.4, 9),
+    ];
+    let unit = |bits: [i32; 3]| direction::<A>(bits);
+    let planes = [
+        Plane {
+            normal: unit([0, 0, 1 << 30]),
+            height: A::length(1.5),
+            material: 2,
+        },
+        // (−3, −4, 0)/5: a wall.
+        Plane {
+            normal: unit([-644_245_094, -858_993_459, 0]),
+            height: A::length(7.25),
+            material: 1,
+        },
+    ];
+    // (2, 1, 2)/3, (−6, −3, 2)/7, and straight down.
+    let lights: [Direction<A>; 3] = [
+        unit([715_827_882, 357_913_941, 715_827_882]),
+        unit([-920_350_135, -460_175_067, 306_783_378]),
+        unit([0, 0, -(1 << 30)]),
+    ];
+    let gains = [
+        [30_000, 60_000, 90_000],
+        [4 << 16, 1 << 15, 1 << 10],
+        [1 << 16, 1 << 16, 1 << 16],
+    ]
+    .map(|gain: [u64; 3]| Rgb::from_array(gain.map(A::gain)));
+    let lobe = |n| A::lobe::<Mirror, _>(n, Metallic).expect("n");
+    let shiny = Coat {
+        model: lobe(30 << 16),
+        gains: &gains,
+        daylight: AlbedoDaylight {
+            albedo: given::curve(),
+            gain: Rgb::from_array([1 << 14, 1 << 13, 1 << 12].map(A::gain)),
+        },
+    };
+    let dull = Coat {
+        model: lobe(1 << 16),
+        // A light without a gain does not count.
+        gains: &gains[..2],
+        daylight: NoDaylight,
+    };
+    let materials: [&dyn Lit<A>; 3] = [&shiny, &dull, &(shiny, dull)];
+    let scene = Scene {
+        camera,
+        spheres: &spheres,
+        planes: &planes,
+        lights: &lights,
+        materials: &materials.map(Dyn),
+        background: Linear::from_raw(1 << 20, 1 << 21, 1 << 22),
+    };
+    let mut sum = Checksum::new();
+    for y in 0..usize::from(height) {
+        scene.shade_row(y, |x, pixel| {
+            sum.feed(x as u32);
+            for component in pixel.to_raw() {
+                sum.feed(component);
+            }
+            sum.feed(u32::from(pixel.rgb565()));
+            sum.feed(u32::from(grey16(pixel.luminance(), x, y)));
+        });
+    }
+    sum.value()
+}
+
+/// A surface behind a pointer.
+trait Lit<A: Viewed> {
+    fn lit(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light>;
+}
+
+impl<A: Viewed, S: Surface<A>> Lit<A> for S {
+    fn lit(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
+        self.light(n, v, lights)
+    }
+}
+
+struct Dyn<'a, A>(&'a dyn Lit<A>);
+
+impl<A: Viewed> Surface<A> for Dyn<'_, A> {
+    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
+        self.0.lit(n, v, lights)
+    }
+}

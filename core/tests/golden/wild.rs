@@ -1,0 +1,82 @@
+//! Directions of any bits: whatever is clamped, saturates or is refused.
+
+use microbrdf::ParameterError;
+use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, Retro};
+use microbrdf::geometry::{Direction, ShadingFrame, World};
+use microbrdf_bits::Checksum;
+
+use crate::Sums;
+use crate::given::{self, Given, Words};
+
+/// Triples of directions for each model.
+const COUNT: usize = 400;
+
+/// Adds a sum for each kind of model.
+pub fn add<A: Given>(sums: &mut Sums) {
+    let mut push = |name: &str, sum: u64| sums.push(&format!("any bits, {name}"), sum);
+    push(
+        "metallic phong",
+        any(A::lobe::<Mirror, _>(20 << 16, Metallic)),
+    );
+    push("phong, n = 0", any(A::lobe::<Mirror, _>(0, Flat)));
+    push("retro phong", any(A::lobe::<Retro, _>(1 << 16, Metallic)));
+    push(
+        "p-model",
+        any(A::power_model(1 << 15).and_then(|p| A::lobe::<Mirror, _>(5 << 16, p))),
+    );
+    push("patch", any(A::patch(2 << 16)));
+    push("exponential patch", any(A::patch_exponential(3 << 16)));
+    push("lambert", any(A::lambert([1 << 16, 1 << 15, 0])));
+    push(
+        "plastic",
+        any(A::plastic([1 << 15, 1 << 14, 0], [1 << 15; 3], 1 << 16)),
+    );
+    push(
+        "metal",
+        any(A::lobe::<Mirror, _>(2 << 16, Metallic).map(|lobe| Metal::new(lobe, given::curve()))),
+    );
+}
+
+fn any<A: Given>(model: Result<impl Brdf<A>, ParameterError>) -> u64 {
+    let model = model.expect("a parameter within its range");
+    let gains = [0, 1, 1 << 16, 1 << 40, u64::MAX >> 16].map(A::gain);
+    let mut words = Words::new(0xB175);
+    let mut sum = Checksum::new();
+    for round in 0..COUNT {
+        let mut direction = || {
+            let mut component = || words.component::<A>(round);
+            Direction::<A>::new(component(), component(), component())
+        };
+        let (n, l, v) = (direction(), direction(), direction());
+        let (frame, world) = (ShadingFrame::new(l, v), World::new(n, l, v));
+        for all in [
+            (
+                model.brdf(&frame),
+                model.reflect(&frame),
+                model.share(&frame),
+            ),
+            (
+                model.brdf(&world),
+                model.reflect(&world),
+                model.share(&world),
+            ),
+        ] {
+            sum.feed_rgb(all.0);
+            sum.feed_rgb(all.1);
+            sum.feed_rgb(all.2);
+        }
+        for gain in gains {
+            let gain = microbrdf::Rgb::grey(gain);
+            for light in [model.shade(&gain, &frame), model.shade(&gain, &world)] {
+                let twice = light.zip(light, A::add_light);
+                for component in A::linear(light).to_raw() {
+                    sum.feed(component);
+                }
+                for component in A::linear(twice).to_raw() {
+                    sum.feed(component);
+                }
+            }
+        }
+    }
+    sum.value()
+}
