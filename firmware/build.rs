@@ -59,6 +59,8 @@ fn linker_script() -> Result<(), String> {
     println!("cargo::rustc-link-arg-bins=-Tlink.x");
     // Sections start where they must, not at the next 64 KiB page of a system with an MMU.
     println!("cargo::rustc-link-arg-bins=--nmagic");
+    // An image that is too large is told by all that does not fit.
+    println!("cargo::rustc-link-arg-bins=--error-limit=0");
     if env::var_os("CARGO_FEATURE_DEFMT").is_some() {
         println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
         log_level();

@@ -43,10 +43,14 @@ pub fn send_frame<S: Scene, W: Write, P: Panel, L: LogSource>(
         });
         frame.row(y, row)?;
         board.panel.end_row(y.into()).map_err(FrameError::Panel)?;
+        if L::KEEPS {
+            frame.log(&board.log.take())?;
+        }
+    }
+    if L::KEEPS {
+        board.log.frame_ends(number);
         frame.log(&board.log.take())?;
     }
-    board.log.frame_ends(number);
-    frame.log(&board.log.take())?;
     frame.end()?;
     Ok(())
 }

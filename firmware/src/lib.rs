@@ -23,12 +23,12 @@ mod uart;
 
 pub use app::{FrameError, send_frame};
 pub use board::Board;
-pub use fault::report;
+pub use fault::{report, report_code};
 pub use greys::Greys;
 pub use log::{LogSource, NoLog};
 pub use panel::{NoPanel, Panel};
 pub use pixel::encode_pixel;
 pub use scene::Scene;
-pub use serial::{Drain, QueuedSerial};
+pub use serial::{Dequeue, Drain, Enqueue, QueuedSerial};
 pub use ssd0323::{Ssd0323, Ssd0323Error};
 pub use uart::{Polled, Uart, drain};

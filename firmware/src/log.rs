@@ -5,6 +5,9 @@ use microbrdf_link::MAX_LOG;
 
 /// Where log lines wait: they must not come in the middle of another packet.
 pub trait LogSource {
+    /// Whether anything is ever logged: what sends it is left out if not.
+    const KEEPS: bool = true;
+
     /// Takes out what has gathered since the last call; empty if nothing has.
     fn take(&mut self) -> Vec<u8, MAX_LOG>;
 
@@ -19,6 +22,8 @@ pub trait LogSource {
 pub struct NoLog;
 
 impl LogSource for NoLog {
+    const KEEPS: bool = false;
+
     fn take(&mut self) -> Vec<u8, MAX_LOG> {
         Vec::new()
     }

@@ -11,10 +11,13 @@ mod boards;
 #[cfg(target_os = "none")]
 mod device;
 #[cfg(target_os = "none")]
+#[cfg_attr(feature = "brief", path = "brief_words.rs")]
 mod last_words;
 #[cfg(target_os = "none")]
 #[cfg_attr(not(feature = "defmt"), path = "no_logger.rs")]
 mod logger;
+#[cfg(all(target_os = "none", feature = "brief"))]
+mod memory_by_bytes;
 #[cfg(all(target_os = "none", feature = "defmt"))]
 mod stack;
 

@@ -3,7 +3,8 @@
 use core::convert::Infallible;
 
 use embedded_io::{ErrorType, Write};
-use heapless::spsc::Consumer;
+
+use crate::serial::Dequeue;
 
 /// A UART's registers: no queue, no waiting.
 pub trait Uart {
@@ -28,7 +29,7 @@ pub trait Uart {
 ///
 /// This is the whole transmit interrupt. It may also be called, by setting the
 /// interrupt pending, when there is nothing to do.
-pub fn drain(uart: &mut impl Uart, queue: &mut Consumer<'_, u8>) {
+pub fn drain(uart: &mut impl Uart, queue: &mut impl Dequeue) {
     while uart.is_ready() {
         match queue.dequeue() {
             Some(byte) => uart.put(byte),
@@ -45,6 +46,8 @@ impl<U> ErrorType for Polled<'_, U> {
 }
 
 impl<U: Uart> Write for Polled<'_, U> {
+    // Once for all that a failing device sends.
+    #[inline(never)]
     fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
         for &byte in bytes {
             while !self.0.is_ready() {}

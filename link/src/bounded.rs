@@ -26,6 +26,11 @@ impl<const N: usize> Bounded<N> {
         self.bytes.get(..self.len).unwrap_or_default()
     }
 
+    /// The bytes that were put in, to be changed in place.
+    pub fn as_mut_slice(&mut self) -> &mut [u8] {
+        self.bytes.get_mut(..self.len).unwrap_or_default()
+    }
+
     /// Number of bytes that still fit.
     pub fn room(&self) -> usize {
         N.saturating_sub(self.len)

@@ -72,5 +72,5 @@ pub use packet::{
 };
 pub use picture::Picture;
 pub use reassemble::{Event, FrameReport, Reassembler, ReceiveError, Statistics, Stopped};
-pub use send::{FrameWriter, SendError, max_row_wire_bytes, send_fault, send_log};
+pub use send::{FrameWriter, SendError, max_row_wire_bytes, send_fault, send_fault_text, send_log};
 pub use wire::{WirePacket, encode_packet};

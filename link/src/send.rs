@@ -9,7 +9,7 @@ use crate::bounded::{Bounded, Full};
 use crate::checksum::FrameChecksum;
 use crate::format::{MAX_CHUNK, MAX_FAULT_TEXT, MAX_LOG, MAX_WIRE, PixelFormat};
 use crate::packet::{EndOfFrame, Fault, FaultCode, Header, HeaderError, Kind, Pixels};
-use crate::wire::{Body, encode_packet};
+use crate::wire::Body;
 
 /// The header is sent again before every row whose number is a multiple of
 /// this, so that a damaged one, or a receiver that came late, costs a part of
@@ -41,36 +41,34 @@ const PACKET_OVERHEAD: usize = 13;
 /// greatest size of one is [`MAX_WIRE`](crate::MAX_WIRE) bytes.
 pub struct FrameWriter<'a, W> {
     sink: W,
-    header: Header<'a>,
+    header: &'a Header<'a>,
     /// Where the next pixel goes; `row == height` once all have come.
     row: u16,
     column: u16,
-    /// Pixels that wait for their packet to fill.
-    chunk: Bounded<MAX_CHUNK>,
-    /// Column of the first pixel in `chunk`.
-    chunk_column: u16,
+    /// The packet of pixels that is being filled, or nothing.
+    packet: Body,
+    /// Bytes of pixels in it.
+    chunk: usize,
     checksum: FrameChecksum,
 }
 
 impl<'a, W: Write> FrameWriter<'a, W> {
-    /// Sends the header and gets ready for the first pixel.
+    /// Gets ready for the first pixel, ahead of which the header goes.
     ///
     /// # Errors
-    /// [`SendError::Header`] if a field is out of range (nothing is sent then);
-    /// [`SendError::Sink`] from the sink.
-    pub fn begin(sink: W, header: &Header<'a>) -> Result<Self, SendError<W::Error>> {
+    /// [`SendError::Header`] if a field is out of range.
+    #[inline]
+    pub fn begin(sink: W, header: &'a Header<'a>) -> Result<Self, SendError<W::Error>> {
         header.check().map_err(SendError::Header)?;
-        let mut writer = Self {
+        Ok(Self {
             sink,
-            header: *header,
+            header,
             row: 0,
             column: 0,
-            chunk: Bounded::new(),
-            chunk_column: 0,
+            packet: Body::new(),
+            chunk: 0,
             checksum: FrameChecksum::new(),
-        };
-        writer.send_header()?;
-        Ok(writer)
+        })
     }
 
     /// Row that the next pixel belongs to; the frame's height once all have come.
@@ -98,7 +96,7 @@ impl<'a, W: Write> FrameWriter<'a, W> {
                 expected: self.header.row_bytes(),
             });
         }
-        self.pixels(pixels)
+        self.put(pixels)
     }
 
     /// Takes the next pixels in raster order, any number of them, across rows if need be.
@@ -111,28 +109,38 @@ impl<'a, W: Write> FrameWriter<'a, W> {
     /// has place is sent); [`SendError::Sink`] from the sink.
     pub fn pixels(&mut self, pixels: &[u8]) -> Result<(), SendError<W::Error>> {
         let size = self.header.pixel_format.bytes_per_pixel();
-        let whole = pixels.chunks_exact(size);
-        if !whole.remainder().is_empty() {
+        if !pixels.chunks_exact(size).remainder().is_empty() {
             return Err(SendError::PixelLength {
                 bytes: pixels.len(),
                 bytes_per_pixel: size,
             });
         }
-        for pixel in whole {
+        self.put(pixels)
+    }
+
+    /// Takes whole pixels. (Counting them ahead, as `chunks_exact` does, would
+    /// be a division, for which small cores have no instruction.)
+    fn put(&mut self, mut pixels: &[u8]) -> Result<(), SendError<W::Error>> {
+        let size = self.header.pixel_format.bytes_per_pixel();
+        while let Some((pixel, rest)) = pixels.split_at_checked(size) {
+            pixels = rest;
             if self.row >= self.header.height {
                 return Err(SendError::TooManyPixels);
             }
             self.begin_row_if_due()?;
-            self.chunk.extend(pixel)?;
+            if self.chunk == 0 {
+                self.begin_chunk()?;
+            }
+            self.packet.extend(pixel)?;
+            self.chunk = self.chunk.saturating_add(size);
             self.column = self.column.saturating_add(1);
             let row_is_over = self.column >= self.header.width;
-            if row_is_over || self.chunk.room() < size {
+            if row_is_over || self.chunk.saturating_add(size) > MAX_CHUNK {
                 self.send_chunk()?;
             }
             if row_is_over {
                 self.row = self.row.saturating_add(1);
                 self.column = 0;
-                self.chunk_column = 0;
             }
         }
         Ok(())
@@ -163,7 +171,8 @@ impl<'a, W: Write> FrameWriter<'a, W> {
             rows: self.row,
             checksum: self.checksum.value(),
         };
-        self.send(&end.body()?, false)?;
+        end.lay_out(&mut self.packet)?;
+        self.send(false)?;
         self.sink.flush().map_err(SendError::Sink)?;
         Ok(self.sink)
     }
@@ -175,35 +184,41 @@ impl<'a, W: Write> FrameWriter<'a, W> {
     }
 
     fn begin_row_if_due(&mut self) -> Result<(), SendError<W::Error>> {
-        let repeats_header = self.row % HEADER_EVERY_ROWS == 0 && self.row != 0;
+        let repeats_header = self.row % HEADER_EVERY_ROWS == 0;
         if self.column == 0 && repeats_header {
             self.send_header()?;
         }
         Ok(())
     }
 
+    /// Between two packets of pixels.
     fn send_header(&mut self) -> Result<(), SendError<W::Error>> {
-        self.send(&self.header.body()?, true)
+        self.header.lay_out(&mut self.packet)?;
+        self.send(true)
     }
 
-    fn send_chunk(&mut self) -> Result<(), SendError<W::Error>> {
+    fn begin_chunk(&mut self) -> Result<(), Full> {
         let pixels = Pixels {
             frame: self.header.frame,
             row: self.row,
-            column: self.chunk_column,
-            data: self.chunk.as_slice(),
+            column: self.column,
+            data: &[],
         };
-        let body = pixels.body()?;
-        self.checksum.update(pixels.data);
-        self.chunk.clear();
-        self.chunk_column = self.column;
-        self.send(&body, false)
+        pixels.lay_out(&mut self.packet)
     }
 
-    fn send(&mut self, body: &Body, fresh_start: bool) -> Result<(), SendError<W::Error>> {
-        let wire = encode_packet(body.as_slice(), fresh_start)?;
-        self.sink
-            .write_all(wire.as_slice())
+    fn send_chunk(&mut self) -> Result<(), SendError<W::Error>> {
+        let body = self.packet.as_slice();
+        let first = body.len().saturating_sub(self.chunk);
+        self.checksum.update(body.get(first..).unwrap_or_default());
+        self.chunk = 0;
+        self.send(false)
+    }
+
+    fn send(&mut self, fresh_start: bool) -> Result<(), SendError<W::Error>> {
+        let sink = &mut self.sink;
+        self.packet
+            .send(fresh_start, |bytes| sink.write_all(bytes))?
             .map_err(SendError::Sink)
     }
 }
@@ -226,16 +241,28 @@ pub fn send_fault<W: Write>(
     let mut words = Bounded::<MAX_FAULT_TEXT>::new();
     // Fails when the text is cut, which is as intended.
     let _ = words.write_fmt(text);
-    let fault = Fault {
-        frame,
-        code,
-        text: str::from_utf8(words.as_slice()).unwrap_or_default(),
-    };
-    if let Ok(wire) = fault
-        .body()
-        .and_then(|body| encode_packet(body.as_slice(), true))
-    {
-        sink.write_all(wire.as_slice())?;
+    let text = str::from_utf8(words.as_slice()).unwrap_or_default();
+    send_fault_text(sink, frame, code, text)
+}
+
+/// As [`send_fault`], with a text that needs no formatting, and so none of the
+/// code for it. One of more than [`MAX_FAULT_TEXT`](crate::MAX_FAULT_TEXT)
+/// bytes is not sent.
+///
+/// # Errors
+/// Those of the sink.
+pub fn send_fault_text<W: Write>(
+    sink: &mut W,
+    frame: u16,
+    code: FaultCode,
+    text: &str,
+) -> Result<(), W::Error> {
+    let fault = Fault { frame, code, text };
+    let mut packet = Body::new();
+    if fault.lay_out(&mut packet).is_ok() {
+        if let Ok(sent) = packet.send(true, |bytes| sink.write_all(bytes)) {
+            sent?;
+        }
     }
     sink.flush()
 }
@@ -250,12 +277,11 @@ pub fn send_fault<W: Write>(
 pub fn send_log<W: Write>(sink: &mut W, bytes: &[u8]) -> Result<(), W::Error> {
     for part in bytes.chunks(MAX_LOG) {
         let mut body = Body::new();
-        let wire = body
-            .push(Kind::Log.code())
-            .and_then(|()| body.extend(part))
-            .and_then(|()| encode_packet(body.as_slice(), true));
-        if let Ok(wire) = wire {
-            sink.write_all(wire.as_slice())?;
+        let whole = body.push(Kind::Log.code()).and_then(|()| body.extend(part));
+        if whole.is_ok() {
+            if let Ok(sent) = body.send(true, |bytes| sink.write_all(bytes)) {
+                sent?;
+            }
         }
     }
     Ok(())

@@ -135,9 +135,9 @@ fn another_version_is_refused_with_both_numbers() {
         version: 2,
         ..header(4, 4, PixelFormat::Srgb8)
     };
-    let wire = FrameWriter::begin(Vec::new(), &strange)
-        .unwrap()
-        .into_sink();
+    let mut writer = FrameWriter::begin(Vec::new(), &strange).unwrap();
+    writer.pixels(&[0; 3]).unwrap();
+    let wire = writer.into_sink();
     let (log, statistics) = receive(&wire);
     assert_eq!(
         log.errors,

@@ -1,6 +1,6 @@
 //! The sRGB encoder, for every input.
 
-use microbrdf::shade::{LINEAR_ONE, Linear, srgb8, srgb8_quick};
+use microbrdf::shade::{LINEAR_ONE, Linear, srgb8, srgb8_bisected, srgb8_quick};
 
 /// IEC 61966-2-1, code as a real number.
 fn encoded(linear: f64) -> f64 {
@@ -18,6 +18,7 @@ fn every_linear_value_gets_its_rounded_code() {
     for linear in 0..=LINEAR_ONE {
         let exact = encoded(f64::from(linear) / f64::from(LINEAR_ONE));
         let code = srgb8(linear);
+        assert_eq!(srgb8_bisected(linear), code, "linear {linear}");
         greatest = greatest.max((f64::from(code) - exact).abs());
         // The two branches of the standard meet with a gap of 1e-5 of a code.
         assert!(
@@ -45,6 +46,7 @@ fn the_quick_encoder_is_a_tenth_of_a_code_less_exact() {
 fn beyond_one_is_white() {
     assert_eq!(srgb8(LINEAR_ONE + 1), 255);
     assert_eq!(srgb8(u32::MAX), 255);
+    assert_eq!(srgb8_bisected(u32::MAX), 255);
     assert_eq!(
         Linear::from_raw(u32::MAX, 0, LINEAR_ONE + 1).to_raw(),
         [LINEAR_ONE, 0, LINEAR_ONE]

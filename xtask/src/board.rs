@@ -13,6 +13,10 @@ pub struct Board {
     pub target: &'static str,
     /// Whether it has a display of its own, which the emulator can photograph.
     pub panel: bool,
+    /// Bytes of flash, as its linker script has them.
+    pub flash: u64,
+    /// Bytes of RAM.
+    pub ram: u64,
 }
 
 /// Every board, the default one first.
@@ -22,18 +26,24 @@ pub const BOARDS: [Board; 3] = [
         core: "cortex-m3",
         target: "thumbv7m-none-eabi",
         panel: true,
+        flash: 256 << 10,
+        ram: 64 << 10,
     },
     Board {
         name: "microbit",
         core: "cortex-m0",
         target: "thumbv6m-none-eabi",
         panel: false,
+        flash: 256 << 10,
+        ram: 16 << 10,
     },
     Board {
         name: "netduinoplus2",
         core: "cortex-m4f",
         target: "thumbv7em-none-eabihf",
         panel: false,
+        flash: 1024 << 10,
+        ram: 128 << 10,
     },
 ];
 
@@ -66,5 +76,43 @@ impl Board {
             }
         }
         targets
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BOARDS;
+
+    /// The size of a region in a linker script.
+    fn length(script: &str, region: &str) -> Option<u64> {
+        let line = script
+            .lines()
+            .find(|line| line.split_whitespace().next() == Some(region))?;
+        let text = line.split("LENGTH = ").nth(1)?.trim();
+        let number: u64 = text[..text.len() - 1].parse().ok()?;
+        Some(number << if text.ends_with('M') { 20 } else { 10 })
+    }
+
+    #[test]
+    fn sizes_are_those_of_the_linker_scripts() {
+        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+        let default = std::fs::read_to_string(format!("{root}/memory.x")).unwrap();
+        for board in BOARDS {
+            let path = format!("{root}/firmware/src/boards/{}/board.x", board.name);
+            let own = std::fs::read_to_string(path).unwrap();
+            let of = |region, other| length(&own, region).or_else(|| length(&default, other));
+            assert_eq!(
+                of("FLASH", "LM3S6965_FLASH"),
+                Some(board.flash),
+                "{}",
+                board.name
+            );
+            assert_eq!(
+                of("RAM", "LM3S6965_SRAM"),
+                Some(board.ram),
+                "{}",
+                board.name
+            );
+        }
     }
 }

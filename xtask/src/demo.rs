@@ -81,6 +81,7 @@ pub fn run(
     if order.board.panel {
         photograph(&mut emulator, &place("panel.png"))?;
     }
+    let stack = emulator.stack_used()?;
     drop(emulator);
 
     let compared = if device.is_file() {
@@ -92,7 +93,7 @@ pub fn run(
         true => Some(panel_equals_host(host, order, out)?),
         false => None,
     };
-    let report = report::assemble(
+    let mut report = report::assemble(
         &order.board,
         cross.version(),
         &order.arithmetic,
@@ -100,6 +101,9 @@ pub fn run(
         &compared,
         panel_equals_host,
     );
+    report["flash_bytes"] = image.sizes.flash.into();
+    report["ram_bytes"] = image.sizes.ram.into();
+    report["stack_bytes"] = stack.into();
     let path = place("report.json");
     let text = format!("{report:#}\n");
     fs::write(&path, text).during(|| format!("writing {}", path.display()))?;

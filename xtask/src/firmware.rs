@@ -1,6 +1,7 @@
 //! `cargo xtask firmware`: bakes a scene into constants and links it for a board.
 
 use std::fs;
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
@@ -10,6 +11,9 @@ use crate::host_sim::HostSim;
 use crate::layout::Layout;
 use crate::sizes::{self, Sizes};
 use crate::toolchain::Cross;
+
+/// The firmware's feature for boards with little flash.
+pub const BRIEF: &str = "brief";
 
 /// What to build.
 #[derive(Debug, Clone)]
@@ -38,6 +42,23 @@ impl Order {
             name.push_str(feature);
         }
         name
+    }
+
+    /// Where its image is kept.
+    pub fn elf(&self, layout: &Layout) -> PathBuf {
+        layout
+            .target()
+            .join("firmware")
+            .join(format!("{}.elf", self.name()))
+    }
+
+    /// Cargo's profile: where features ask for few bytes, so does it.
+    pub fn profile(&self) -> &'static str {
+        if self.features.iter().any(|feature| feature == BRIEF) {
+            "firmware-small"
+        } else {
+            "firmware"
+        }
     }
 
     /// Cargo's list of features.
@@ -105,9 +126,17 @@ pub fn build(
     quiet: bool,
 ) -> Outcome<Image> {
     let baked = bake(layout, host, &order.scene, &order.arithmetic)?;
-    let status = cross
+    let elf = order.elf(layout);
+    // One of an earlier scene must not be taken for this one's.
+    let _ = fs::remove_file(&elf);
+    let mut cargo = cross
         .cargo(layout, "build", order.board.target)
-        .args(["--profile", "firmware", "--package", "microbrdf-firmware"])
+        .args([
+            "--profile",
+            order.profile(),
+            "--package",
+            "microbrdf-firmware",
+        ])
         .args([
             "--bin",
             "microbrdf-firmware",
@@ -117,9 +146,17 @@ pub fn build(
         .args(quiet.then_some("--quiet"))
         .env("MICROBRDF_SCENE_RS", baked)
         .stdin(Stdio::null())
-        .status()
+        .stderr(Stdio::piped())
+        .spawn()
         .during(|| "starting the cross compiler".to_string())?;
+    let said = cargo.stderr.take().map(repeated).unwrap_or_default();
+    let status = cargo
+        .wait()
+        .during(|| "waiting for the cross compiler".to_string())?;
     if !status.success() {
+        if let Some(failure) = overflow(order, &said) {
+            return Err(failure);
+        }
         return Err(Failure::incomplete(format!(
             "the firmware for {} does not build (see above)",
             order.board.name
@@ -128,15 +165,71 @@ pub fn build(
     let made = layout
         .cross_target()
         .join(order.board.target)
-        .join("firmware")
+        .join(order.profile())
         .join("microbrdf-firmware");
-    let elf = layout
-        .target()
-        .join("firmware")
-        .join(format!("{}.elf", order.name()));
     fs::copy(&made, &elf).during(|| format!("copying {} to {}", made.display(), elf.display()))?;
     let sizes = sizes::of(&elf)?;
+    let ram = sizes.ram + STACK;
+    if ram > order.board.ram {
+        let _ = fs::remove_file(&elf);
+        return Err(Failure::mistake(format!(
+            "{} is too large for {}: it needs {ram} bytes of RAM, of which {STACK} for the stack; \
+             the board has {}",
+            layout.shown(&order.scene),
+            order.board.name,
+            order.board.ram
+        )));
+    }
     Ok(Image { elf, sizes })
+}
+
+/// Bytes of stack that an image must leave; the demo's runs, whose report says what they used, take less.
+const STACK: u64 = 4 << 10;
+
+/// Passes on what a program says, line by line, and returns it.
+fn repeated(from: impl Read) -> String {
+    let mut said = String::new();
+    for line in BufReader::new(from).lines().map_while(Result::ok) {
+        // One line for each section behind the end, which `overflow` sums up.
+        if !line.contains("will not fit in region") {
+            eprintln!("{line}");
+        }
+        said += &line;
+        said.push('\n');
+    }
+    said
+}
+
+/// What to say where the linker complains that a region overflows.
+fn overflow(order: &Order, said: &str) -> Option<Failure> {
+    let excess = |region: &str| -> Option<u64> {
+        // `will not fit in region 'FLASH': overflowed by 12 bytes`, once for each section.
+        said.lines()
+            .filter(|line| line.contains(&format!("region '{region}'")))
+            .filter_map(|line| line.split("overflowed by ").nth(1)?.split(' ').next())
+            .filter_map(|number| number.parse().ok())
+            .max()
+    };
+    let (flash, ram) = (excess("FLASH"), excess("RAM"));
+    let of = |excess: Option<u64>, size: u64, what: &str| {
+        excess.map(|excess| format!("{} bytes of {what}, the board has {size}", size + excess))
+    };
+    let figures: Vec<_> = [
+        of(flash, order.board.flash, "flash"),
+        of(ram, order.board.ram, "RAM"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    (!figures.is_empty()).then(|| {
+        Failure::mistake(format!(
+            "{} is too large for {} in {}: it needs {}",
+            order.scene.display(),
+            order.board.name,
+            order.arithmetic,
+            figures.join("; and ")
+        ))
+    })
 }
 
 /// `cargo xtask firmware`.
@@ -167,4 +260,39 @@ fn stem(scene: &Path) -> String {
         .file_stem()
         .map(|stem| stem.to_string_lossy().into_owned())
         .unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn order() -> Order {
+        Order {
+            board: Board::named("microbit").unwrap(),
+            scene: "large.toml".into(),
+            arithmetic: "q31".into(),
+            features: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn an_overflow_is_told_with_its_figures() {
+        let said = "error: linking failed\n\
+            rust-lld: error: section '.text' will not fit in region 'FLASH': overflowed by 100 bytes\n\
+            rust-lld: error: section '.rodata' will not fit in region 'FLASH': overflowed by 3000 bytes\n";
+        let failure = overflow(&order(), said).unwrap();
+        assert_eq!(failure.status, 2);
+        for part in ["large.toml", "microbit", "265144 bytes of flash", "262144"] {
+            assert!(failure.message.contains(part), "{failure}");
+        }
+        assert!(!failure.message.contains("RAM"), "{failure}");
+        let said = "section '.bss' will not fit in region 'RAM': overflowed by 8 bytes";
+        let failure = overflow(&order(), said).unwrap();
+        assert!(failure.message.contains("16392 bytes of RAM"), "{failure}");
+    }
+
+    #[test]
+    fn other_errors_are_no_overflow() {
+        assert!(overflow(&order(), "error[E0425]: cannot find value").is_none());
+    }
 }

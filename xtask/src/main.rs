@@ -16,6 +16,7 @@ mod receiver;
 mod report;
 mod setup;
 mod sizes;
+mod stack;
 mod toolchain;
 
 use std::process::ExitCode;

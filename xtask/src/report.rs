@@ -168,6 +168,14 @@ pub fn lines(report: &Value) -> String {
         real("delta_e_p95", 3),
         real("delta_e_max", 3),
     );
+    if !report["stack_bytes"].is_null() {
+        text += &format!(
+            "memory     {} bytes of flash, {} of RAM, {} of stack\n",
+            r("flash_bytes"),
+            r("ram_bytes"),
+            r("stack_bytes")
+        );
+    }
     text
 }
 

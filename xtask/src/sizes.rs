@@ -1,11 +1,11 @@
-//! How much flash and RAM a linked image takes.
+//! How much flash and RAM a linked image takes, and what its symbols are.
 
 use std::fs;
 use std::path::Path;
 
 use object::Endianness;
-use object::elf::{FileHeader32, PT_LOAD};
-use object::read::elf::{FileHeader, ProgramHeader};
+use object::elf::{FileHeader32, PT_LOAD, SHT_SYMTAB};
+use object::read::elf::{FileHeader, ProgramHeader, Sym};
 
 use crate::failure::{During, Failure, Outcome};
 
@@ -41,6 +41,26 @@ fn read(data: &[u8]) -> object::read::Result<Sizes> {
         }
     }
     Ok(sizes)
+}
+
+/// Names of an image's symbols, with their values.
+pub fn symbols(path: &Path) -> Outcome<Vec<(String, u32)>> {
+    let data = fs::read(path).during(|| format!("reading {}", path.display()))?;
+    read_symbols(&data).map_err(|e| Failure::incomplete(format!("{}: {e}", path.display())))
+}
+
+fn read_symbols(data: &[u8]) -> object::read::Result<Vec<(String, u32)>> {
+    let header = FileHeader32::<Endianness>::parse(data)?;
+    let endian = header.endian()?;
+    let table = header
+        .sections(endian, data)?
+        .symbols(endian, data, SHT_SYMTAB)?;
+    let named = |symbol: &object::elf::Sym32<Endianness>| {
+        let name = table.symbol_name(endian, symbol)?;
+        let name = String::from_utf8_lossy(name).into_owned();
+        Ok((name, symbol.st_value(endian)))
+    };
+    table.iter().map(named).collect()
 }
 
 #[cfg(test)]

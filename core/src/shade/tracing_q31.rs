@@ -2,6 +2,7 @@
 
 use fixed::types::{I2F30, I8F24, I24F40};
 
+use super::root::Root;
 use super::{Camera, Tracing};
 use crate::arithmetic::{Arithmetic, Q31};
 use crate::geometry::Direction;
@@ -41,8 +42,7 @@ impl<const CELLS: usize> Tracing for Q31<CELLS> {
         });
         // The length's rounding scales all components alike, which the
         // versine forgives; their directions keep 2⁻³⁰.
-        let length = square.isqrt().max(1);
-        let inverse = ((1 << (DIRECTION + NEAR)) / length) as i64;
+        let inverse = i64::from(Root::of(square).inverse_58());
         let [x, y, z] = components.map(|component| {
             I2F30::from_bits((((component >> 10).wrapping_mul(inverse)) >> DIRECTION) as i32)
         });
@@ -82,7 +82,7 @@ impl<const CELLS: usize> Tracing for Q31<CELLS> {
             sum.wrapping_add(magnitude * magnitude)
         });
         let rest = (1u64 << (2 * NEAR)).checked_sub(square)?;
-        Some(rest.isqrt() as i32)
+        Some(Root::of(rest).root() as i32)
     }
 
     #[inline]

@@ -4,48 +4,53 @@ use core::cell::RefCell;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 use cortex_m::peripheral::NVIC;
-use cortex_m::singleton;
-use critical_section::Mutex;
-use heapless::spsc::{Consumer, Queue};
-use microbrdf_firmware::{Drain, QueuedSerial, Uart as _, drain};
+use critical_section::{CriticalSection, Mutex};
+use heapless::spsc::Queue;
+use microbrdf_firmware::{Drain, Enqueue, QueuedSerial, Uart as _, drain};
 
 use super::chosen::{INTERRUPT, Uart};
 use crate::baked::ROW_WIRE_BYTES;
 
-/// Room for a row on its way out; a queue keeps one place free.
-type RowQueue = Queue<u8, { ROW_WIRE_BYTES + 1 }>;
+/// Room for a row on its way out; a queue keeps one place free, and a power of
+/// two spares each byte that comes and goes a division.
+type RowQueue = Queue<u8, { (ROW_WIRE_BYTES + 1).next_power_of_two() }>;
 
-/// What the interrupt handler works with.
-struct Line {
-    uart: Uart,
-    queue: Consumer<'static, u8>,
-}
+/// Bytes that are queued with interrupts off: less time than one takes to leave.
+const AT_ONCE: usize = 16;
 
-static LINE: Mutex<RefCell<Option<Line>>> = Mutex::new(RefCell::new(None));
+static QUEUE: Mutex<RefCell<RowQueue>> = Mutex::new(RefCell::new(Queue::new()));
+
+static LINE: Mutex<RefCell<Option<Uart>>> = Mutex::new(RefCell::new(None));
 
 /// Whether a byte has come in since the last frame was begun.
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
 /// The line, as the application writes to it.
-pub type Serial = QueuedSerial<'static, UartInterrupt>;
+pub type Serial = QueuedSerial<Shared, UartInterrupt>;
 
-/// Lets the interrupt run on the UART, which must be set up. Only the first call succeeds.
+/// Lets the interrupt run on the UART, which must be set up.
 pub fn open(uart: Uart) -> Serial {
-    let Some(queue) = singleton!(: RowQueue = Queue::new()) else {
-        panic!("the serial line is already open");
-    };
-    let (producer, consumer) = queue.split();
-    critical_section::with(|cs| {
-        LINE.replace(
-            cs,
-            Some(Line {
-                uart,
-                queue: consumer,
-            }),
-        )
-    });
+    critical_section::with(|cs| LINE.replace(cs, Some(uart)));
     unmask();
-    QueuedSerial::new(producer, UartInterrupt)
+    QueuedSerial::new(Shared, UartInterrupt)
+}
+
+/// The queue's writing end, of which [`open`] makes the only one.
+pub struct Shared;
+
+impl Enqueue for Shared {
+    fn enqueue(&mut self, bytes: &[u8]) -> usize {
+        let part = bytes.get(..AT_ONCE).unwrap_or(bytes);
+        critical_section::with(|cs| {
+            let mut queue = QUEUE.borrow_ref_mut(cs);
+            let fits = |byte: &&u8| queue.enqueue(**byte).is_ok();
+            part.iter().take_while(fits).count()
+        })
+    }
+
+    fn is_empty(&self) -> bool {
+        critical_section::with(|cs| QUEUE.borrow_ref(cs).is_empty())
+    }
 }
 
 #[allow(unsafe_code)]
@@ -58,11 +63,11 @@ fn unmask() {
 /// The whole interrupt handler of every board's UART.
 pub fn on_interrupt() {
     critical_section::with(|cs| {
-        if let Some(Line { uart, queue }) = LINE.borrow_ref_mut(cs).as_mut() {
+        if let Some(uart) = LINE.borrow_ref_mut(cs).as_mut() {
             while uart.take().is_some() {
                 REQUESTED.store(true, Ordering::Relaxed);
             }
-            drain(uart, queue);
+            drain(uart, &mut *QUEUE.borrow_ref_mut(cs));
         }
     });
 }
@@ -79,7 +84,7 @@ impl Drain for UartInterrupt {
         critical_section::with(|cs| {
             LINE.borrow_ref_mut(cs)
                 .as_mut()
-                .is_none_or(|line| line.uart.is_idle())
+                .is_none_or(|uart| uart.is_idle())
         })
     }
 }
@@ -99,12 +104,16 @@ pub fn wait_for_request() {
 }
 
 /// Hands UART and queue to a failing device's report, unless the interrupt
-/// handler was at work on them when it failed.
-pub fn with_line(report: impl FnOnce(&mut Uart, &mut Consumer<'static, u8>)) {
-    critical_section::with(|cs| {
-        if let Ok(mut line) = LINE.borrow(cs).try_borrow_mut() {
-            if let Some(Line { uart, queue }) = line.as_mut() {
-                report(uart, queue);
+/// handler was at work on them when it failed, or a write on the queue.
+pub fn with_line(report: impl FnOnce(&mut Uart, &mut RowQueue)) {
+    critical_section::with(|cs: CriticalSection<'_>| {
+        let (line, queue) = (
+            LINE.borrow(cs).try_borrow_mut(),
+            QUEUE.borrow(cs).try_borrow_mut(),
+        );
+        if let (Ok(mut line), Ok(mut queue)) = (line, queue) {
+            if let Some(uart) = line.as_mut() {
+                report(uart, &mut queue);
             }
         }
     });

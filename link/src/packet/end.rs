@@ -27,12 +27,11 @@ impl EndOfFrame {
         fields.end().map(|()| end)
     }
 
-    pub(crate) fn body(&self) -> Result<Body, Full> {
-        let mut body = Body::new();
+    pub(crate) fn lay_out(&self, body: &mut Body) -> Result<(), Full> {
         body.push(Kind::End.code())?;
         body.extend(&self.frame.to_le_bytes())?;
         body.extend(&self.rows.to_le_bytes())?;
         body.extend(&self.checksum.to_le_bytes())?;
-        Ok(body)
+        Ok(())
     }
 }

@@ -61,13 +61,12 @@ impl<'a> Fault<'a> {
         })
     }
 
-    pub(crate) fn body(&self) -> Result<Body, Full> {
-        let mut body = Body::new();
+    pub(crate) fn lay_out(&self, body: &mut Body) -> Result<(), Full> {
         body.push(Kind::Fault.code())?;
         body.extend(&self.frame.to_le_bytes())?;
         body.push(self.code.code())?;
         body.extend(self.text.as_bytes())?;
-        Ok(body)
+        Ok(())
     }
 }
 

@@ -144,8 +144,7 @@ impl<'a> Header<'a> {
     }
 
     /// Lays the header out; its texts must have been checked.
-    pub(crate) fn body(&self) -> Result<Body, Full> {
-        let mut body = Body::new();
+    pub(crate) fn lay_out(&self, body: &mut Body) -> Result<(), Full> {
         body.push(Kind::Header.code())?;
         body.push(self.version)?;
         for number in [self.frame, self.width, self.height] {
@@ -163,7 +162,7 @@ impl<'a> Header<'a> {
             body.push(u8::try_from(text.len()).map_err(|_| Full)?)?;
             body.extend(text.as_bytes())?;
         }
-        Ok(body)
+        Ok(())
     }
 }
 

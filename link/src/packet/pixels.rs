@@ -37,13 +37,12 @@ impl<'a> Pixels<'a> {
             .then_some(pixels)
     }
 
-    pub(crate) fn body(&self) -> Result<Body, Full> {
-        let mut body = Body::new();
+    pub(crate) fn lay_out(&self, body: &mut Body) -> Result<(), Full> {
         body.push(Kind::Pixels.code())?;
         for number in [self.frame, self.row, self.column] {
             body.extend(&number.to_le_bytes())?;
         }
         body.extend(self.data)?;
-        Ok(body)
+        Ok(())
     }
 }

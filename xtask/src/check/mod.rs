@@ -11,6 +11,7 @@ mod probes;
 mod python;
 mod rust;
 mod trade;
+mod unused;
 
 use std::fmt::Write as _;
 use std::fs::{self, File};
@@ -53,6 +54,7 @@ fn steps() -> Vec<Step> {
     steps.extend(rust::tests());
     steps.extend(probes::steps());
     steps.extend(trade::steps());
+    steps.extend(unused::steps());
     steps.extend(emulated::steps());
     steps.extend(bad_input::steps());
     steps.extend(rust::release());

@@ -13,7 +13,13 @@ use crate::host_sim::HostSim;
 use crate::setup::deny;
 
 /// The firmware's further features, which are linted all at once and not at all.
-const FEATURES: [&str; 4] = ["rgb565", "defmt", "provoke-panic", "provoke-hardfault"];
+const FEATURES: [&str; 5] = [
+    "rgb565",
+    "defmt",
+    "brief",
+    "provoke-panic",
+    "provoke-hardfault",
+];
 
 /// Lock file, format, lints: what fails most, and soonest.
 pub fn style() -> Vec<Step> {

@@ -3,13 +3,14 @@
 pub mod qmp;
 
 use std::fs::{self, File};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use serde_json::json;
 
 use crate::board::Board;
 use crate::failure::{During, Failure, Outcome};
+use crate::stack::Stack;
 use qmp::Qmp;
 
 /// Name of the serial line in QEMU.
@@ -20,6 +21,9 @@ pub struct Emulator {
     // Ended, and waited for, when this value goes.
     child: Child,
     monitor: Qmp<ChildStdout, ChildStdin>,
+    stack: Stack,
+    /// Where memory is written to.
+    dump: PathBuf,
 }
 
 impl Emulator {
@@ -27,6 +31,8 @@ impl Emulator {
     /// What QEMU itself has to say goes into a file beside the image, and is shown where it does not start.
     pub fn halted(board: &Board, elf: &Path) -> Outcome<Self> {
         let log = elf.with_extension("qemu.log");
+        let stack = Stack::of(elf)?;
+        let filled = stack.filled(elf)?;
         let messages = File::create(&log).during(|| format!("creating {}", log.display()))?;
         let mut child = Command::new("qemu-system-arm")
             .args(["-M", board.name, "-S"])
@@ -38,6 +44,7 @@ impl Emulator {
                 &format!("socket,id={LINE},host=127.0.0.1,port=0,server=on,wait=off"),
             ])
             .args(["-serial", &format!("chardev:{LINE}")])
+            .args(filled.iter().flat_map(|device| ["-device", device]))
             .arg("-kernel")
             .arg(elf)
             .stdin(Stdio::piped())
@@ -50,7 +57,12 @@ impl Emulator {
             .ok_or_else(|| Failure::incomplete("QEMU has no pipes"))
             .and_then(|(from, to)| Qmp::connect(from, to));
         match connected {
-            Ok(monitor) => Ok(Self { child, monitor }),
+            Ok(monitor) => Ok(Self {
+                child,
+                monitor,
+                stack,
+                dump: elf.with_extension("stack"),
+            }),
             Err(failure) => {
                 end(&mut child);
                 let said = fs::read_to_string(&log).unwrap_or_default();
@@ -91,6 +103,22 @@ impl Emulator {
         self.monitor
             .execute("screendump", json!({ "filename": path }))
             .map(drop)
+    }
+
+    /// Bytes of the stack that have been used so far.
+    pub fn stack_used(&mut self) -> Outcome<usize> {
+        let path = self.dump.to_str().ok_or_else(|| {
+            Failure::mistake(format!(
+                "{} is not a name that QEMU can take",
+                self.dump.display()
+            ))
+        })?;
+        let arguments = json!({
+            "val": self.stack.end, "size": self.stack.size, "filename": path,
+        });
+        self.monitor.execute("memsave", arguments)?;
+        let memory = fs::read(&self.dump).during(|| format!("reading {}", self.dump.display()))?;
+        Ok(Stack::used(&memory))
     }
 
     fn line_state(&mut self) -> Outcome<String> {
