@@ -47,6 +47,8 @@ mod halves {
     /// What four bits that leave come to.
     static TABLE: [u32; 16] = table();
 
+    // At compile time, where a mistake is an error.
+    #[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)]
     const fn table() -> [u32; 16] {
         let mut table = [0; 16];
         let mut bits: u32 = 0;
@@ -115,6 +117,7 @@ impl Default for FrameChecksum {
 }
 
 #[cfg(all(test, not(feature = "small")))]
+#[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)]
 mod tests {
     #[test]
     fn by_half_bytes_as_by_the_library() {

@@ -103,6 +103,11 @@ fn stuff(bytes: &mut [u8]) {
 }
 
 #[cfg(test)]
+#[allow(
+    clippy::arithmetic_side_effects,
+    clippy::indexing_slicing,
+    clippy::unwrap_used
+)]
 mod tests {
     use super::{Body, encode_packet, stuff};
 

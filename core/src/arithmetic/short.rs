@@ -30,7 +30,7 @@ fn scale_by_halves(share: u32, factor: u32) -> u32 {
 /// Zeros above the highest bit of a number, 32 for 0.
 #[inline]
 pub(crate) fn leading_zeros(number: u32) -> u32 {
-    if cfg!(count_zeros) {
+    if cfg!(count_zeros) || cfg!(feature = "small") {
         number.leading_zeros()
     } else {
         leading_zeros_by_table(number)
