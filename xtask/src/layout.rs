@@ -66,6 +66,11 @@ impl Layout {
             .join(format!("{name}{}", env::consts::EXE_SUFFIX))
     }
 
+    /// Packages of npm.
+    pub fn node(&self) -> PathBuf {
+        self.target().join("node")
+    }
+
     /// Tools built from crates.io for `cargo xtask test`.
     pub fn tools(&self) -> PathBuf {
         self.target().join("tools")

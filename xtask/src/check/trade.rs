@@ -16,6 +16,10 @@ pub fn steps() -> Vec<Step> {
             })
         }),
         step("trade and budgets", check),
+        step("cycles on Cortex-M0+, second source", |bench| {
+            measure::compare_cycles(bench.layout, bench.cross)?;
+            Ok(Tally::PASSED)
+        }),
     ]
 }
 

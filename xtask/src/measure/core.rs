@@ -26,6 +26,9 @@ pub const CORES: [Core; 5] = [
     core("rv32imc", "riscv32imc-unknown-none-elf"),
 ];
 
+/// The target whose code can be run by a second emulator that counts cycles.
+pub const SECOND_SOURCE: &str = "thumbv6m-none-eabi";
+
 const fn core(name: &'static str, target: &'static str) -> Core {
     Core { name, target }
 }
@@ -43,6 +46,14 @@ pub fn count(layout: &Layout, target: &str) -> Outcome<PathBuf> {
 pub fn compare(layout: &Layout, target: &str) -> Outcome<()> {
     let library = Library::checksums(layout, target);
     run(layout, target, &library, &["--results".as_ref()])
+}
+
+/// Compares the cycles on Cortex-M0+ with those of another emulator.
+pub fn second_source(layout: &Layout) -> Outcome<()> {
+    let library = Library::kernels(layout, SECOND_SOURCE);
+    let packages = layout.node();
+    let further = ["--second-source".as_ref(), packages.as_os_str()];
+    run(layout, SECOND_SOURCE, &library, &further)
 }
 
 fn run(layout: &Layout, target: &str, library: &Library, further: &[&OsStr]) -> Outcome<()> {

@@ -96,6 +96,16 @@ pub fn compare_bits(layout: &Layout, cross: &Cross) -> Outcome<u32> {
     Ok(targets.len() as u32)
 }
 
+/// Compares the cycles of every kernel on Cortex-M0+ with those of another emulator.
+pub fn compare_cycles(layout: &Layout, cross: &Cross) -> Outcome<()> {
+    let folder = folder(layout);
+    fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
+    Trade::build(layout, true)?.calls("")?;
+    let target = core::SECOND_SOURCE;
+    Library::kernels(layout, target).link(layout, cross, target, true)?;
+    core::second_source(layout)
+}
+
 /// Measures, and leaves `trade.json` in the folder.
 pub fn run(layout: &Layout, cross: &Cross, order: &Order, quiet: bool) -> Outcome<()> {
     let folder = folder(layout);

@@ -37,14 +37,19 @@ impl<'a> Trade<'a> {
 
     /// Writes what the kernels are to be called with, and their errors.
     pub fn prepare(&self, only: &str) -> Outcome<()> {
-        let file = |name: &str| self.folder.join(name).into_os_string();
-        let words = |words: &[&str]| words.iter().map(OsString::from).collect::<Vec<_>>();
-        let mut calls = words(&["calls", "--count", COUNT, "--only", only, "-o"]);
-        calls.push(file("calls.json"));
-        self.run(&calls)?;
-        let mut errors = words(&["errors", "--only", only, "-o"]);
-        errors.push(file("errors.json"));
-        self.run(&errors)
+        self.calls(only)?;
+        self.write("errors.json", &["errors", "--only", only])
+    }
+
+    /// Writes what the kernels are to be called with.
+    pub fn calls(&self, only: &str) -> Outcome<()> {
+        self.write("calls.json", &["calls", "--count", COUNT, "--only", only])
+    }
+
+    fn write(&self, file: &str, words: &[&str]) -> Outcome<()> {
+        let mut line: Vec<OsString> = words.iter().map(OsString::from).collect();
+        line.extend(["-o".into(), self.folder.join(file).into_os_string()]);
+        self.run(&line)
     }
 
     /// Writes the calls that sum up many results, with what this host gives.

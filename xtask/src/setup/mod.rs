@@ -3,6 +3,7 @@
 pub mod apt;
 pub mod consent;
 pub mod deny;
+pub mod node;
 pub mod offer;
 pub mod plan;
 pub mod python;
@@ -171,6 +172,7 @@ fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: &Local) -
         }
         Local::Venv => python::install(layout),
         Local::Counter => python::install_counter(layout),
+        Local::Rp2040js => node::install(layout),
         Local::CargoDeny => deny::install(layout),
     }
 }

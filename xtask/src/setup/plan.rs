@@ -3,7 +3,7 @@
 use crate::command::Runner;
 use crate::failure::Outcome;
 use crate::layout::Layout;
-use crate::setup::{Purpose, apt, deny, python};
+use crate::setup::{Purpose, apt, deny, node, python};
 use crate::toolchain::distribution::{self, FAMILIES, Family};
 use crate::toolchain::{self, Way, active, sysroot};
 
@@ -29,6 +29,8 @@ pub enum Local {
     Venv,
     /// The counter of cycles, in the same environment.
     Counter,
+    /// The emulator that cycles are compared with, from npm.
+    Rp2040js,
     /// cargo-deny, from crates.io.
     CargoDeny,
 }
@@ -45,6 +47,9 @@ impl Local {
             }
             Self::Venv => "virtual environment with the receiver (target/venv)".to_string(),
             Self::Counter => "counter of cycles, with its emulator (target/venv)".to_string(),
+            Self::Rp2040js => {
+                "rp2040js, an emulator to compare cycles with (target/node)".to_string()
+            }
             Self::CargoDeny => {
                 format!(
                     "cargo-deny {}, built from crates.io (about 1 min)",
@@ -94,6 +99,15 @@ impl Plan {
         }
         if purpose.counts() && !python::counter_current(layout) {
             plan.local.push(Local::Counter);
+        }
+        if purpose == Purpose::Test && !node::current(layout) {
+            for (program, package) in node::PROGRAMS {
+                if !runner.has(program) {
+                    plan.packages
+                        .push((package, "second source for cycles on Cortex-M0+"));
+                }
+            }
+            plan.local.push(Local::Rp2040js);
         }
         if purpose == Purpose::Test && deny::program(layout, runner).is_none() {
             plan.local.push(Local::CargoDeny);

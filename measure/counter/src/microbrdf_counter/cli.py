@@ -10,12 +10,15 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any
 
+from microbrdf_counter.bench import Fails
 from microbrdf_counter.ibex import build
 from microbrdf_counter.ibex import kernel as ibex_kernel
-from microbrdf_counter.ibex.simulator import CannotBuild, Fails
+from microbrdf_counter.ibex.simulator import CannotBuild
 from microbrdf_counter.kernel import Differs, measure
 from microbrdf_counter.machine import Stray
 from microbrdf_counter.results import compare
+from microbrdf_counter.rp2040 import compare as rp2040
+from microbrdf_counter.rp2040.emulator import Missing, version
 from microbrdf_counter.timings import TIMINGS
 from microbrdf_counter.timings.timing import UnknownInstruction
 
@@ -25,7 +28,7 @@ _EXAMPLE = (
 )
 _STATUSES = (
     "Exit status: 0 done; 1 a result differs from the host's; 2 a mistake in the call; "
-    "3 verilator is missing."
+    "3 verilator, Node.js or its package is missing."
 )
 
 
@@ -41,6 +44,12 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("-o", dest="output", type=Path, help="file to write")
     parser.add_argument(
         "--results", action="store_true", help="only compare results; nothing is counted"
+    )
+    parser.add_argument(
+        "--second-source",
+        type=Path,
+        metavar="FOLDER",
+        help="only compare cycles on Cortex-M0+ with rp2040js, whose package is in FOLDER",
     )
     return parser.parse_args()
 
@@ -71,6 +80,18 @@ def _compare(target: str, images: Path, calls: list[dict[str, Any]]) -> int:
     return 0 if calls else 1
 
 
+def _second_source(folder: Path, images: Path, calls: list[dict[str, Any]]) -> int:
+    total = rp2040.Compared()
+    count = os.cpu_count() or 1
+    with ProcessPoolExecutor(count) as pool:
+        for compared in pool.map(
+            rp2040.kernels, ((folder, images, calls[first::count]) for first in range(count))
+        ):
+            total.add(compared)
+    print(f"rp2040js {version()}, {len(calls)} kernels, {total.words()}")
+    return 0 if total.calls else 1
+
+
 def main() -> int:
     """Runs the command and returns its exit status."""
     arguments = _arguments()
@@ -79,14 +100,20 @@ def main() -> int:
     except (OSError, ValueError) as error:
         print(f"error: {arguments.calls}: {error}", file=sys.stderr)
         return 2
-    if not arguments.results and arguments.output is None:
+    if arguments.second_source and arguments.target != rp2040.TARGET:
+        print(f"error: --second-source is for {rp2040.TARGET}", file=sys.stderr)
+        return 2
+    only_compares = arguments.results or arguments.second_source
+    if not only_compares and arguments.output is None:
         print("error: -o is missing: where to write what is counted", file=sys.stderr)
         return 2
     try:
         if arguments.results:
             return _compare(arguments.target, arguments.images, calls)
+        if arguments.second_source:
+            return _second_source(arguments.second_source, arguments.images, calls)
         found = _all(arguments.target, arguments.images, calls)
-    except CannotBuild as error:
+    except (CannotBuild, Missing) as error:
         print(f"error: {error}", file=sys.stderr)
         return 3
     except (Differs, Fails, Stray, UnknownInstruction) as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 
 from microbrdf_counter.instructions import Instruction
 from microbrdf_counter.machine import Trace
@@ -11,25 +12,37 @@ from microbrdf_counter.timings import Timing
 
 def cycles(code: dict[int, Instruction], trace: Trace, timing: Timing) -> int:
     """Cycles of a call, the call itself included."""
-    addresses = trace.addresses
     total = timing.call
-    # Each instruction with the one before it and the address after it.
-    triples = Counter(zip([0, *addresses], addresses, [*addresses[1:], 0]))
-    for (before, address, after), times in triples.items():
-        this = code[address]
-        following = address + this.size
-        cost = timing.cycles(code.get(before), this, after != following)
-        if not this.writes_pc:
-            # What lies between was passed over by its condition.
-            while following != after and following in code and code[following].condition:
-                cost += timing.skipped(code[following])
-                following += code[following].size
-        total += cost * times
+    for triple, times in Counter(_triples(trace.addresses)).items():
+        total += _step(code, timing, triple) * times
     for (address, first, second), times in trace.operands.items():
         this = code[address]
         if timing.has_early(this):
             total += timing.early(this, (first, second)) * times
     return total
+
+
+def steps(code: dict[int, Instruction], trace: Trace, timing: Timing) -> list[int]:
+    """Cycles of each instruction that was executed, on a core where none ends early."""
+    return [_step(code, timing, triple) for triple in _triples(trace.addresses)]
+
+
+def _triples(addresses: list[int]) -> Iterator[tuple[int, int, int]]:
+    """Each instruction with the one before it and the address after it."""
+    return zip([0, *addresses], addresses, [*addresses[1:], 0])
+
+
+def _step(code: dict[int, Instruction], timing: Timing, triple: tuple[int, int, int]) -> int:
+    before, address, after = triple
+    this = code[address]
+    following = address + this.size
+    cost = timing.cycles(code.get(before), this, after != following)
+    if not this.writes_pc:
+        # What lies between was passed over by its condition.
+        while following != after and following in code and code[following].condition:
+            cost += timing.skipped(code[following])
+            following += code[following].size
+    return cost
 
 
 def classes(code: dict[int, Instruction], trace: Trace) -> Counter[str]:

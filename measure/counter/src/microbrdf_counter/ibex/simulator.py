@@ -6,10 +6,10 @@ import subprocess
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from types import TracebackType
 
 import pythondata_cpu_ibex
 
+from microbrdf_counter.bench import Bench
 from microbrdf_counter.image import Image
 
 #: The core's name in reports.
@@ -41,10 +41,6 @@ _PACKAGES = (
 
 class CannotBuild(Exception):
     """The simulator could not be built."""
-
-
-class Fails(Exception):
-    """The simulator ended early."""
 
 
 def build(folder: Path) -> Path:
@@ -93,52 +89,20 @@ class Call:
     results: list[int]
 
 
-class Ibex:
+class Ibex(Bench):
     """A core with an image in its flash."""
 
     def __init__(self, program: Path, image: Image) -> None:
         """Starts ``program`` and loads ``image``."""
+        super().__init__([str(program)])
         self._entry = image.entry
-        self._process = subprocess.Popen(  # noqa: S603
-            [str(program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        )
-        for address, data in image.segments:
-            start = address & ~3
-            padded = bytes(address - start) + data
-            padded += bytes(-len(padded) % 4)
-            words = [int.from_bytes(padded[i : i + 4], "little") for i in range(0, len(padded), 4)]
-            self._say(f"load {start:x} {_hexadecimal(words)}")
+        self.load(image)
 
     def __enter__(self) -> Ibex:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Ends the simulator."""
-        self._process.communicate()
-
-    def _say(self, line: str) -> None:
-        if self._process.stdin is None:
-            raise Fails("no way to talk to the simulator")
-        self._process.stdin.write(line + "\n")
-        self._process.stdin.flush()
-
     def call(self, arguments: list[int], memory: list[int], in_memory: int) -> Call:
         """Calls the function: up to eight words in registers, as a compiler passes them."""
-        self._say(
-            f"call {self._entry:x} {_hexadecimal(arguments)} / {_hexadecimal(memory)} / "
-            f"{in_memory:x}"
-        )
-        answer = self._process.stdout.readline() if self._process.stdout else ""
-        if not answer:
-            raise Fails("the simulator ended")
+        answer = self.ask(self._entry, arguments, memory, in_memory)
         cycles, instructions, result, stack, *words = map(int, answer.split())
         return Call(cycles, instructions, stack, words if in_memory else [result])
-
-
-def _hexadecimal(words: list[int]) -> str:
-    return " ".join(f"{word:x}" for word in words)

@@ -11,7 +11,7 @@ from microbrdf_counter.timings.timing import UnknownInstruction
 
 _SINGLE = frozenset(
     "adc add adr and asr bic cmn cmp eor lsl lsr mov mvn nop orr ror rsb sbc sub sxtb sxth tst "
-    "uxtb uxth rev rev16 revsh cps".split()
+    "uxtb uxth rev rev16 revsh cpsid cpsie".split()
 )
 _LOADS = frozenset("ldr ldrb ldrh ldrsb ldrsh str strb strh".split())
 
