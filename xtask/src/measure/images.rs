@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
+use crate::command;
 use crate::failure::{During, Failure, Outcome};
 use crate::layout::Layout;
 use crate::toolchain::Cross;
@@ -80,14 +81,53 @@ impl Library {
     }
 }
 
+fn read(calls: &Path) -> Outcome<Vec<Value>> {
+    let text = fs::read(calls).during(|| format!("reading {}", calls.display()))?;
+    serde_json::from_slice(&text).during(|| "reading the calls".to_string())
+}
+
 /// Names of the kernels that are to be called.
 fn names(calls: &Path) -> Outcome<Vec<String>> {
-    let text = fs::read(calls).during(|| format!("reading {}", calls.display()))?;
-    let calls: Value = serde_json::from_slice(&text).during(|| "reading the calls".to_string())?;
-    let kernels = calls.as_array().into_iter().flatten();
-    Ok(kernels
-        .filter_map(|kernel| kernel["kernel"].as_str().map(str::to_owned))
-        .collect())
+    let names = read(calls)?;
+    let names = names.iter().filter_map(|kernel| kernel["kernel"].as_str());
+    Ok(names.map(str::to_owned).collect())
+}
+
+/// Compares the sums of an unoptimised build for this host, with every check that a build can
+/// have, with those that were written for the targets.
+pub fn compare_unoptimised(layout: &Layout) -> Outcome<()> {
+    let library = Library::checksums(layout, "");
+    let output = command::host_cargo(layout.root())
+        .args(["run", "--quiet", "--locked", "--profile", "unoptimised"])
+        .args(["--package", library.package, "--example", "host"])
+        .stdin(Stdio::null())
+        .output()
+        .during(|| "starting cargo".to_string())?;
+    if !output.status.success() {
+        let said = String::from_utf8_lossy(&output.stderr);
+        return Err(Failure::incomplete(format!(
+            "the unoptimised build fails:\n{said}"
+        )));
+    }
+    let wanted: String = read(&library.calls)?
+        .iter()
+        .map(|kernel| {
+            let name = kernel["kernel"].as_str().unwrap_or_default();
+            let result = &kernel["groups"][0]["calls"][0]["results"][0];
+            format!("{name} {result}\n")
+        })
+        .collect();
+    let found = String::from_utf8_lossy(&output.stdout);
+    if found.lines().ne(wanted.lines()) {
+        return Err(Failure::incomplete(format!(
+            "an unoptimised build gives\n{found}a release gives\n{wanted}"
+        )));
+    }
+    println!(
+        "the host, unoptimised: {} as in a release",
+        found.lines().count()
+    );
+    Ok(())
 }
 
 /// Links one kernel and all that it reaches, and nothing else.

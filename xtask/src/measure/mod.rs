@@ -82,18 +82,19 @@ pub fn check(layout: &Layout) -> Outcome<()> {
     Trade::build(layout, true)?.check()
 }
 
-/// Runs what sums up many of the core's results for every target, and compares
-/// that with what this host gives.
+/// Runs what sums up many of the core's results in an unoptimised build for this
+/// host and for every target, and compares that with what a release gives here.
 pub fn compare_bits(layout: &Layout, cross: &Cross) -> Outcome<u32> {
     let folder = folder(layout);
     fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
     Trade::build(layout, true)?.checksums()?;
+    images::compare_unoptimised(layout)?;
     let targets = Order::default().targets();
     for target in &targets {
         Library::checksums(layout, target).link(layout, cross, target, true)?;
         core::compare(layout, target)?;
     }
-    Ok(targets.len() as u32)
+    Ok(1 + targets.len() as u32)
 }
 
 /// Compares the cycles of every kernel on Cortex-M0+ with those of another emulator.
