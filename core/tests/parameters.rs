@@ -223,3 +223,18 @@ mod q31 {
         ));
     }
 }
+
+#[test]
+fn profiles() {
+    use microbrdf::table::{PROFILE_KNOTS, ProfileCurve};
+    let with = |index: usize, knot: u32| {
+        let mut knots = [1 << 30; PROFILE_KNOTS];
+        knots[index] = knot;
+        knots
+    };
+    for index in [0, 1, PROFILE_KNOTS - 1] {
+        taken(ProfileCurve::new(with(index, 1 << 31), 11));
+        refused(ProfileCurve::new(with(index, (1 << 31) + 1), 0), "knots");
+    }
+    refused(ProfileCurve::new(with(0, 0), 12), "halvings");
+}

@@ -1,22 +1,30 @@
 //! What needs no arithmetic: encodings, and the knots of curves.
 
-use microbrdf::shade::{LINEAR_ONE, Linear, grey16, srgb8};
-use microbrdf::table::{COSINE_KNOTS, CosineCurve};
+use microbrdf::shade::{LINEAR_ONE, Linear, grey16, srgb8, srgb8_bisected, srgb8_quick};
+use microbrdf::table::{COSINE_KNOTS, CosineCurve, ProfileCurve};
 use microbrdf_bits::Checksum;
 
 use crate::Sums;
 
 /// Adds a sum for each.
 pub fn add(sums: &mut Sums) {
-    let steps: Vec<u32> = (0..=255u8).map(first).collect();
-    let mut sum = Checksum::new();
-    for step in &steps {
-        sum.feed(*step);
+    let encoders: [(&str, fn(u32) -> u8); 3] = [
+        ("srgb", srgb8),
+        ("srgb, bisected", srgb8_bisected),
+        ("srgb, quick", srgb8_quick),
+    ];
+    for (name, encoder) in encoders {
+        let mut sum = Checksum::new();
+        for code in 0..=255 {
+            sum.feed(first(encoder, code));
+        }
+        for linear in (0..LINEAR_ONE + 5_000).step_by(61).chain([u32::MAX]) {
+            sum.feed(u32::from(encoder(linear)));
+        }
+        sums.push(name, sum.value());
     }
-    for linear in (0..LINEAR_ONE + 5_000).step_by(61).chain([u32::MAX]) {
-        sum.feed(u32::from(srgb8(linear)));
-    }
-    sums.push("srgb", sum.value());
+
+    let steps: Vec<u32> = (0..=255).map(|code| first(srgb8, code)).collect();
 
     let mut sum = Checksum::new();
     for (code, step) in steps.iter().enumerate() {
@@ -40,15 +48,18 @@ pub fn add(sums: &mut Sums) {
     for index in 0..COSINE_KNOTS + 3 {
         sum.feed(u32::from(CosineCurve::knot(index)));
     }
+    for halvings in 0..=ProfileCurve::MOST_HALVINGS {
+        sum.feed(ProfileCurve::distance(halvings, 97));
+    }
     sums.push("knots", sum.value());
 }
 
 /// The least linear value with a code.
-fn first(code: u8) -> u32 {
+fn first(encoder: fn(u32) -> u8, code: u8) -> u32 {
     let (mut low, mut high) = (0, LINEAR_ONE);
     while low < high {
         let middle = (low + high) / 2;
-        if srgb8(middle) < code {
+        if encoder(middle) < code {
             low = middle + 1;
         } else {
             high = middle;

@@ -1,11 +1,12 @@
 //! What a test hands to the core, made of integers.
 
+use microbrdf::ParameterError;
 use microbrdf::arithmetic::{F32, Float, Math, Q15, Q31};
 use microbrdf::fixed::types::{I2F14, I2F30, I8F24, I24F40, U0F32, U32F32};
 use microbrdf::geometry::Direction;
 use microbrdf::sampling::Sampling;
 use microbrdf::shade::Tracing;
-use microbrdf::table::{COSINE_KNOTS, CosineCurve};
+use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
 use microbrdf_bits::{Raw, Sampled};
 
 /// An arithmetic with its components as bits.
@@ -123,6 +124,16 @@ pub fn curve() -> CosineCurve {
         ];
     }
     CosineCurve::from_entries(entries)
+}
+
+/// A profile that rises, falls and has an end of its own.
+pub fn profile(halvings: u32) -> Result<ProfileCurve, ParameterError> {
+    let mut knots = [0; PROFILE_KNOTS];
+    for (index, knot) in knots.iter_mut().enumerate() {
+        let index = index as u32;
+        *knot = (1 << 31) - index * index % 1_999 * 1_000_003 - 12_345 * index;
+    }
+    ProfileCurve::new(knots, halvings)
 }
 
 /// An endless sequence of words (SplitMix64).

@@ -1,6 +1,6 @@
 //! Every model at many parameters: its table, its peak, its directions.
 
-use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, Retro};
+use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, PatchProfile, Retro};
 use microbrdf::{ParameterError, Rgb};
 use microbrdf_bits::{Checksum, digest};
 
@@ -85,6 +85,13 @@ pub fn add<A: Given>(sums: &mut Sums) {
     sums.push(
         "exponential patch",
         over::<A, _, _>(&SHARPNESSES, |s| A::patch_exponential(*s)),
+    );
+    sums.push(
+        "patch with a profile",
+        over::<A, _, _>(&[0, 1, 5, 11], |halvings| {
+            let peak = A::patch(1 << 16)?.peak();
+            Ok(PatchProfile::new(given::profile(*halvings)?, peak))
+        }),
     );
     let colours = [
         [0, 0, 0],

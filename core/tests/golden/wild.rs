@@ -1,7 +1,7 @@
 //! Directions of any bits: whatever is clamped, saturates or is refused.
 
 use microbrdf::ParameterError;
-use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, Retro};
+use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, PatchProfile, Retro};
 use microbrdf::geometry::{Direction, ShadingFrame, World};
 use microbrdf_bits::Checksum;
 
@@ -26,6 +26,11 @@ pub fn add<A: Given>(sums: &mut Sums) {
     );
     push("patch", any(A::patch(2 << 16)));
     push("exponential patch", any(A::patch_exponential(3 << 16)));
+    push(
+        "patch with a profile",
+        any(A::patch(1 << 16)
+            .and_then(|patch| Ok(PatchProfile::<A>::new(given::profile(2)?, patch.peak())))),
+    );
     push("lambert", any(A::lambert([1 << 16, 1 << 15, 0])));
     push(
         "plastic",
