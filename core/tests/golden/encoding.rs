@@ -6,9 +6,12 @@ use microbrdf_bits::Checksum;
 
 use crate::Sums;
 
+/// Linear light to a code.
+type Encoder = fn(u32) -> u8;
+
 /// Adds a sum for each.
 pub fn add(sums: &mut Sums) {
-    let encoders: [(&str, fn(u32) -> u8); 3] = [
+    let encoders: [(&str, Encoder); 3] = [
         ("srgb", srgb8),
         ("srgb, bisected", srgb8_bisected),
         ("srgb, quick", srgb8_quick),
@@ -55,7 +58,7 @@ pub fn add(sums: &mut Sums) {
 }
 
 /// The least linear value with a code.
-fn first(encoder: fn(u32) -> u8, code: u8) -> u32 {
+fn first(encoder: Encoder, code: u8) -> u32 {
     let (mut low, mut high) = (0, LINEAR_ONE);
     while low < high {
         let middle = (low + high) / 2;
