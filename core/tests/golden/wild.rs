@@ -11,6 +11,16 @@ use crate::given::{self, Given, Words};
 /// Triples of directions for each model.
 const COUNT: usize = 400;
 
+/// The axes, and what is no direction: cosines are exactly 1, 0 and −1.
+const CORNERS: [[i32; 3]; 6] = [
+    [0, 0, 1 << 30],
+    [1 << 30, 0, 0],
+    [-(1 << 30), 0, 0],
+    [0, 1 << 30, 0],
+    [0, 0, -(1 << 30)],
+    [0, 0, 0],
+];
+
 /// Adds a sum for each kind of model.
 pub fn add<A: Given>(sums: &mut Sums) {
     let mut push = |name: &str, sum: u64| sums.push(&format!("any bits, {name}"), sum);
@@ -47,12 +57,19 @@ fn any<A: Given>(model: Result<impl Brdf<A>, ParameterError>) -> u64 {
     let gains = [0, 1, 1 << 16, 1 << 40, u64::MAX >> 16].map(A::gain);
     let mut words = Words::new(0xB175);
     let mut sum = Checksum::new();
-    for round in 0..COUNT {
-        let mut direction = || {
-            let mut component = || words.component::<A>(round);
-            Direction::<A>::new(component(), component(), component())
-        };
-        let (n, l, v) = (direction(), direction(), direction());
+    let corners = CORNERS.map(given::direction::<A>);
+    let triples = (0..COUNT)
+        .map(|round| {
+            [(); 3].map(|()| {
+                let [x, y, z] = [(); 3].map(|()| words.component::<A>(round));
+                Direction::new(x, y, z)
+            })
+        })
+        .chain(corners.iter().flat_map(|l| {
+            let up = corners[0];
+            corners.iter().map(move |v| [up, *l, *v])
+        }));
+    for [n, l, v] in triples {
         let (frame, world) = (ShadingFrame::new(l, v), World::new(n, l, v));
         for all in [
             (
