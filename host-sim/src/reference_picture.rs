@@ -2,8 +2,12 @@
 
 use std::sync::Arc;
 
+use microbrdf_reference::light::{Attenuation, Illumination, Light};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
-use microbrdf_scene::{AlbedoTable, Description, Material, camera_frame, half_pixel};
+use microbrdf_scene::{
+    AlbedoTable, Description, LightDescription, LightKind, Material, PlaneDescription,
+    camera_frame, half_pixel, plane_axes,
+};
 use rayon::prelude::*;
 
 use crate::picture::Picture;
@@ -15,7 +19,8 @@ pub struct ExactPixel {
     /// Linear light, exposed and clamped.
     pub linear: [f64; 3],
     /// Distance to the nearest jump of the geometry (a silhouette, where two
-    /// objects meet) or of a model (the edge of a patch), in radii or in m.
+    /// objects meet), of a model (the edge of a patch) or of a checker, in
+    /// radii, in m, or as the angle by which the ray must turn.
     pub jump: f64,
 }
 
@@ -52,10 +57,11 @@ pub fn render(description: &Description) -> Exact {
         .iter()
         .map(|(_, material)| surface(material, description.daylight.is_some()))
         .collect();
+    let lights: Vec<_> = description.lights.iter().map(light).collect();
     let progress = Progress::new("reference", height);
     let rows = (0..height).into_par_iter().map(|y| {
         let row: Vec<_> = (0..width)
-            .map(|x| pixel(description, &surfaces, x, y))
+            .map(|x| pixel(description, &surfaces, &lights, x, y))
             .collect();
         progress.step();
         row
@@ -98,7 +104,13 @@ fn surface(material: &Material, daylight: bool) -> Surface {
     }
 }
 
-fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) -> ExactPixel {
+fn pixel(
+    description: &Description,
+    surfaces: &[Surface],
+    lights: &[Light],
+    x: usize,
+    y: usize,
+) -> ExactPixel {
     let camera = &description.camera;
     let [ahead, right, up] = camera_frame(camera);
     let step = half_pixel(camera);
@@ -107,7 +119,7 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
     let ray = [0, 1, 2].map(|i| ahead[i] + step * (column * right[i] + row * up[i]));
     let d = scaled(ray, 1.0 / dot(ray, ray).sqrt());
     let mut jump = f64::INFINITY;
-    let mut hits: Vec<(f64, [f64; 3], usize)> = Vec::new();
+    let mut hits: Vec<(f64, [f64; 3], usize, f64)> = Vec::new();
     for sphere in &description.spheres {
         let eye = [0, 1, 2].map(|i| (camera.eye[i] - sphere.center[i]) / sphere.radius);
         let along = -dot(eye, d);
@@ -120,7 +132,8 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
         if square < 1.0 {
             let half = (1.0 - square).sqrt();
             let normal = [0, 1, 2].map(|i| nearest[i] - half * d[i]);
-            hits.push((sphere.radius * (along - half), normal, sphere.material));
+            let depth = sphere.radius * (along - half);
+            hits.push((depth, normal, sphere.material, f64::INFINITY));
         }
     }
     for plane in &description.planes {
@@ -128,11 +141,12 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
         jump = jump.min(descent.abs());
         if descent > 0.0 {
             let offset = [0, 1, 2].map(|i| camera.eye[i] - plane.point[i]);
-            hits.push((
-                dot(offset, plane.normal) / descent,
-                plane.normal,
-                plane.material,
-            ));
+            let depth = dot(offset, plane.normal) / descent;
+            let place = [0, 1, 2].map(|i| offset[i] + depth * d[i]);
+            let (material, edge) = squares(plane, place);
+            // A turn moves the place by up to depth / descent.
+            let edge = edge * descent / depth;
+            hits.push((depth, plane.normal, material, edge));
         }
     }
     hits.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -140,12 +154,14 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
         jump = jump.min((second.0 - first.0) / first.0);
     }
     let exposed = |light: [f64; 3]| light.map(|l| (l * description.exposure).clamp(0.0, 1.0));
-    let Some(&(_, normal, material)) = hits.first() else {
+    let Some(&(depth, normal, material, edge)) = hits.first() else {
         return ExactPixel {
             linear: exposed(description.background),
             jump,
         };
     };
+    jump = jump.min(edge);
+    let place = [0, 1, 2].map(|i| camera.eye[i] + depth * d[i]);
     let surface = &surfaces[material];
     let v = scaled(d, -1.0);
     let mut light = [0.0; 3];
@@ -155,11 +171,18 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
             light[i] += albedo[i] * sky[i];
         }
     }
-    for source in &description.lights {
-        let (l, v) = to_frame(normal, source.direction, v);
+    for source in lights {
+        let Illumination::Beam {
+            to_light: Direction { x, y, z },
+            normal_irradiance,
+        } = source.at(place)
+        else {
+            continue;
+        };
+        let (l, v) = to_frame(normal, [x, y, z], v);
         let reflected = surface.model.reflect(&l, &v);
         for i in 0..3 {
-            light[i] += reflected[i] * source.color[i];
+            light[i] += reflected[i] * normal_irradiance[i];
         }
         if let Some(radius) = surface.patch
             && l.z > 0.0
@@ -171,6 +194,53 @@ fn pixel(description: &Description, surfaces: &[Surface], x: usize, y: usize) ->
         linear: exposed(light),
         jump,
     }
+}
+
+/// The material at a place, given as seen from the plane's point, and the
+/// distance to the nearest edge of another.
+fn squares(plane: &PlaneDescription, place: [f64; 3]) -> (usize, f64) {
+    /// What rounding leaves of a coordinate on an edge, in squares.
+    const ROUNDING: f64 = 1e-11;
+    let Some(checker) = plane.checker else {
+        return (plane.material, f64::INFINITY);
+    };
+    let positions = plane_axes(plane.normal).map(|axis| dot(place, axis) / checker.size);
+    // An edge belongs to the square on the side of the greater coordinate.
+    let square = |position: f64| (position + ROUNDING).floor().rem_euclid(2.0);
+    let [x, y] = positions;
+    let material = if square(x) == square(y) {
+        plane.material
+    } else {
+        checker.material
+    };
+    let edge = positions.map(|position| (position - position.round()).abs());
+    (material, edge[0].min(edge[1]) * checker.size)
+}
+
+/// The reference's light.
+fn light(light: &LightDescription) -> Light {
+    const CHECKED: &str = "the ranges were checked when the scene was read";
+    let direction = |[x, y, z]: [f64; 3]| Direction::new(x, y, z);
+    let attenuation = Attenuation::InverseSquare;
+    match light.kind {
+        LightKind::Directional {
+            direction: to_light,
+        } => Light::directional(direction(to_light), light.color),
+        LightKind::Point { position, .. } => Light::point(position, light.color, attenuation),
+        LightKind::Flood {
+            position,
+            axis,
+            exponent,
+            ..
+        } => Light::flood(
+            position,
+            light.color,
+            attenuation,
+            direction(axis),
+            exponent,
+        ),
+    }
+    .expect(CHECKED)
 }
 
 /// L and V in a shading frame of the normal.

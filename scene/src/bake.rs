@@ -1,8 +1,11 @@
 //! A scene as Rust source: constants in flash, and just the types it needs.
 
+mod lamps;
+
 use std::fmt::Write as _;
 
 use microbrdf::geometry::Direction;
+use microbrdf::shade::{Checker, Tracing};
 use microbrdf::table::CosineCurve;
 
 use crate::description::Description;
@@ -21,15 +24,7 @@ pub fn bake<A: HostArithmetic>(description: &Description) -> Result<String, Stri
     let mut out = String::new();
     let code = &mut out;
     head::<A>(code, description);
-    let lights: Vec<_> = prepared.lights.iter().map(direction::<A>).collect();
-    line(
-        code,
-        format!(
-            "static LIGHTS: [Direction<A>; {}] = [{}];",
-            lights.len(),
-            lights.join(", ")
-        ),
-    );
+    let lamp = lamps::bake::<A>(code, &prepared.lights);
     for (index, ((name, _), coat)) in description
         .materials
         .iter()
@@ -39,9 +34,11 @@ pub fn bake<A: HostArithmetic>(description: &Description) -> Result<String, Stri
         material::<A>(code, index, name, coat);
     }
     materials(code, prepared.coats.len());
-    scene::<A>(code, &prepared);
+    scene::<A>(code, &prepared, lamp);
     Ok(out)
 }
+
+type Fine<A> = <A as Tracing>::Fine;
 
 fn line(code: &mut String, text: impl AsRef<str>) {
     code.push_str(text.as_ref());
@@ -205,12 +202,13 @@ fn model<A: HostArithmetic>(part: &PreparedPart<A>) -> (String, String) {
 fn materials(code: &mut String, count: usize) {
     let each = |text: &dyn Fn(usize) -> String| (0..count).map(text).collect::<String>();
     let variants = each(&|i| format!("    Material{i}(&'static Material{i}),\n"));
-    let arms =
-        each(&|i| format!("            Self::Material{i}(coat) => coat.light(n, v, lights),\n"));
+    let arms = each(&|i| {
+        format!("            Self::Material{i}(coat) => coat.light(n, v, lights, place),\n")
+    });
     let values = each(&|i| format!("Material::Material{i}(&MATERIAL_{i}), "));
     let body = if count == 0 {
         // No object: nothing asks for light.
-        "let _ = (n, v, lights);\n        match *self {}".to_owned()
+        "let _ = (n, v, lights, place);\n        match *self {}".to_owned()
     } else {
         format!("match self {{\n{arms}        }}")
     };
@@ -218,13 +216,45 @@ fn materials(code: &mut String, count: usize) {
         code,
         "\n#[derive(Clone, Copy)]\nenum Material {{\n{variants}}}\n\n\
          impl Surface<A> for Material {{\n    #[inline]\n    \
-         fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> \
+         fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], place: impl Fn() -> <A as Placing>::Place + Copy) -> \
          Rgb<<A as Arithmetic>::Light> {{\n        {body}\n    }}\n}}\n\n\
          static MATERIALS: [Material; {count}] = [{values}];\n\n"
     );
 }
 
-fn scene<A: HostArithmetic>(code: &mut String, prepared: &Prepared<A>) {
+/// The planes' type, and their values: checkers only if one of them is.
+fn planes<A: HostArithmetic>(prepared: &Prepared<A>) -> (&'static str, String) {
+    let lengths = |values: &[Fine<A>]| {
+        let values: Vec<_> = values.iter().map(|step| A::fine_code(*step)).collect();
+        format!("[{}]", values.join(", "))
+    };
+    let checkered = |checker: &Checker<A>| checker.odd != checker.plane.material;
+    let any = prepared.planes.iter().any(checkered);
+    let value = |checker: &Checker<A>| {
+        let plane = format!(
+            "Plane {{ normal: {}, height: {}, material: {} }}",
+            direction::<A>(&checker.plane.normal),
+            A::length_code(checker.plane.height),
+            checker.plane.material
+        );
+        if any {
+            let [first, second] = &checker.across;
+            format!(
+                "        Checker {{ plane: {plane}, odd: {}, eye: {}, across: [{}, {}] }},\n",
+                checker.odd,
+                lengths(&checker.eye),
+                lengths(first),
+                lengths(second),
+            )
+        } else {
+            format!("        {plane},\n")
+        }
+    };
+    let kind = if any { "Checker<A>" } else { "Plane<A>" };
+    (kind, prepared.planes.iter().map(value).collect())
+}
+
+fn scene<A: HostArithmetic>(code: &mut String, prepared: &Prepared<A>, lamp: &str) {
     let lengths = |values: &[A::Length]| {
         let values: Vec<_> = values
             .iter()
@@ -232,7 +262,7 @@ fn scene<A: HostArithmetic>(code: &mut String, prepared: &Prepared<A>) {
             .collect();
         format!("[{}]", values.join(", "))
     };
-    let steps = |values: &[<A as microbrdf::shade::Tracing>::Fine]| {
+    let steps = |values: &[Fine<A>]| {
         let values: Vec<_> = values.iter().map(|step| A::fine_code(*step)).collect();
         format!("[{}]", values.join(", "))
     };
@@ -248,23 +278,12 @@ fn scene<A: HostArithmetic>(code: &mut String, prepared: &Prepared<A>) {
             )
         })
         .collect();
-    let planes: String = prepared
-        .planes
-        .iter()
-        .map(|plane| {
-            format!(
-                "        Plane {{ normal: {}, height: {}, material: {} }},\n",
-                direction::<A>(&plane.normal),
-                A::length_code(plane.height),
-                plane.material
-            )
-        })
-        .collect();
+    let (ground, planes) = planes(prepared);
     let camera = &prepared.camera;
     let [r, g, b] = prepared.background.to_raw();
     let _ = write!(
         code,
-        "static SCENE: Scene<'static, A, Material> = Scene {{\n    camera: Camera {{\n        \
+        "static SCENE: Scene<'static, A, Material, {ground}, {lamp}> = Scene {{\n    camera: Camera {{\n        \
          width: {}, height: {},\n        forward: {},\n        right: {},\n        up: {},\n    \
          }},\n    spheres: &[\n{spheres}    ],\n    planes: &[\n{planes}    ],\n    \
          lights: &LIGHTS,\n    materials: &MATERIALS,\n    \

@@ -8,6 +8,7 @@ mod description;
 mod error;
 pub mod files;
 mod host;
+mod lamp;
 mod material;
 mod model;
 mod prepare;
@@ -18,12 +19,14 @@ pub use albedo::{AlbedoTable, directional_albedo};
 pub use bake::bake;
 pub use curve::cosine_curve;
 pub use description::{
-    CameraDescription, Description, LightDescription, PlaneDescription, SphereDescription,
+    CameraDescription, CheckerDescription, Description, LightDescription, LightKind,
+    PlaneDescription, SphereDescription,
 };
 pub use error::SceneError;
 pub use host::HostArithmetic;
+pub use lamp::AnyLight;
 pub use material::{Material, Reflectance};
 pub use model::AnyModel;
-pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel};
+pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel, plane_axes};
 pub use reader::Colour;
 pub use surface::{AnyDaylight, AnySurface, SceneParts};

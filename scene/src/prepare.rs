@@ -1,15 +1,17 @@
 //! A description in one arithmetic's numbers.
 
 use microbrdf::ParameterError;
-use microbrdf::geometry::Direction;
-use microbrdf::shade::{Camera, LINEAR_ONE, Linear, Plane, Sphere};
+use microbrdf::shade::{Camera, Checker, LINEAR_ONE, Linear, Plane, Sphere};
 use microbrdf::table::CosineCurve;
 use microbrdf_reference as reference;
 
 use crate::albedo::AlbedoTable;
 use crate::curve::cosine_curve;
-use crate::description::{CameraDescription, Description, cross, dot, length, sub};
+use crate::description::{
+    CameraDescription, Description, PlaneDescription, cross, dot, length, sub,
+};
 use crate::host::HostArithmetic;
+use crate::lamp::{AnyLight, rounded};
 use crate::material::Material;
 use crate::model::AnyModel;
 use crate::reader::Colour;
@@ -21,10 +23,10 @@ pub struct Prepared<A: HostArithmetic> {
     pub camera: Camera<A>,
     /// Its spheres.
     pub spheres: Vec<Sphere<A>>,
-    /// Its planes.
-    pub planes: Vec<Plane<A>>,
-    /// Directions to its lights.
-    pub lights: Vec<Direction<A>>,
+    /// Its planes, those of one material as a checker of twice the same.
+    pub planes: Vec<Checker<A>>,
+    /// Its lights.
+    pub lights: Vec<AnyLight<A>>,
     /// Its materials.
     pub coats: Vec<PreparedCoat<A>>,
     /// What a ray that meets nothing sees.
@@ -58,16 +60,21 @@ impl Description {
     /// A material that this arithmetic does not take, by name.
     pub fn prepare<A: HostArithmetic>(&self) -> Result<Prepared<A>, String> {
         let eye = self.camera.eye;
-        let direction = |vector: [f64; 3]| {
-            let [x, y, z] = vector.map(A::component);
-            Direction::new(x, y, z)
-        };
         let linear = |value: f64| {
             (value * self.exposure * f64::from(LINEAR_ONE))
                 .round()
                 .min(f64::from(u32::MAX)) as u32
         };
         let [r, g, b] = self.background.map(linear);
+        let mut lights = Vec::new();
+        let mut irradiances = Vec::new();
+        for (index, light) in self.lights.iter().enumerate() {
+            let (prepared, factor) = light
+                .prepare::<A>(eye)
+                .map_err(|error| format!("light[{}]: {error}", index + 1))?;
+            lights.push(prepared);
+            irradiances.push(light.color.map(|c| c * factor));
+        }
         Ok(Prepared {
             camera: camera(&self.camera),
             spheres: self
@@ -79,25 +86,13 @@ impl Description {
                     material: sphere.material as u8,
                 })
                 .collect(),
-            planes: self
-                .planes
-                .iter()
-                .map(|plane| Plane {
-                    normal: direction(plane.normal),
-                    height: A::length(dot(sub(eye, plane.point), plane.normal)),
-                    material: plane.material as u8,
-                })
-                .collect(),
-            lights: self
-                .lights
-                .iter()
-                .map(|light| direction(light.direction))
-                .collect(),
+            planes: self.planes.iter().map(|p| checker(p, eye)).collect(),
+            lights,
             coats: self
                 .materials
                 .iter()
                 .map(|(name, material)| {
-                    self.coat(material)
+                    self.coat(material, &irradiances)
                         .map_err(|error| format!("material.{name}: {error}"))
                 })
                 .collect::<Result<_, _>>()?,
@@ -108,6 +103,7 @@ impl Description {
     fn coat<A: HostArithmetic>(
         &self,
         material: &Material,
+        irradiances: &[[f64; 3]],
     ) -> Result<PreparedCoat<A>, ParameterError> {
         let parts = material
             .parts()
@@ -118,7 +114,7 @@ impl Description {
                     |color: [f64; 3]| [0, 1, 2].map(|c| peak * tint[c] * color[c] * self.exposure);
                 Ok(PreparedPart {
                     model: part.model()?,
-                    gains: self.lights.iter().map(|light| gain(light.color)).collect(),
+                    gains: irradiances.iter().map(|color| gain(*color)).collect(),
                     material: part,
                 })
             })
@@ -170,6 +166,42 @@ pub fn camera_frame(camera: &CameraDescription) -> [[f64; 3]; 3] {
     let ahead = unit(sub(camera.target, camera.eye));
     let right = unit(cross(ahead, [0.0, 0.0, 1.0]));
     [ahead, right, cross(right, ahead)]
+}
+
+/// Unit vectors along which the squares of a checker are counted: the x axis
+/// as near as the plane comes to it (y where that is the normal), and at a
+/// right angle.
+#[must_use]
+pub fn plane_axes(normal: [f64; 3]) -> [[f64; 3]; 2] {
+    let axis = if normal[0].abs() < 0.9 {
+        [1.0, 0.0, 0.0]
+    } else {
+        [0.0, 1.0, 0.0]
+    };
+    let along = dot(axis, normal);
+    let first = sub(axis, normal.map(|c| c * along));
+    let first = first.map(|c| c / length(first));
+    [first, cross(normal, first)]
+}
+
+fn checker<A: HostArithmetic>(plane: &PlaneDescription, eye: [f64; 3]) -> Checker<A> {
+    let from = sub(eye, plane.point);
+    let (odd, size) = match plane.checker {
+        Some(checker) => (checker.material, checker.size),
+        None => (plane.material, 1.0),
+    };
+    let axes = plane_axes(plane.normal);
+    Checker {
+        plane: Plane {
+            normal: rounded(plane.normal),
+            height: A::length(dot(from, plane.normal)),
+            material: plane.material as u8,
+        },
+        odd: odd as u8,
+        // Two squares on is the same colour again.
+        eye: axes.map(|axis| A::fine((dot(from, axis) / size).rem_euclid(2.0))),
+        across: axes.map(|axis| axis.map(|c| A::fine(c / size))),
+    }
 }
 
 /// Half a pixel at distance 1.

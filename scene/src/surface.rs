@@ -2,9 +2,10 @@
 
 use microbrdf::Rgb;
 use microbrdf::geometry::Direction;
-use microbrdf::shade::{AlbedoDaylight, Coat, Daylight, Scene, Surface};
+use microbrdf::shade::{AlbedoDaylight, Checker, Coat, Daylight, Light, Scene, Surface};
 
 use crate::host::HostArithmetic;
+use crate::lamp::AnyLight;
 use crate::model::AnyModel;
 use crate::prepare::{Prepared, PreparedCoat};
 
@@ -31,11 +32,17 @@ pub struct AnySurface<'a, A: HostArithmetic> {
 }
 
 impl<A: HostArithmetic> Surface<A> for AnySurface<'_, A> {
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
+    fn light(
+        &self,
+        n: &Direction<A>,
+        v: &Direction<A>,
+        lights: &[impl Light<A>],
+        place: impl Fn() -> A::Place + Copy,
+    ) -> Rgb<A::Light> {
         self.rest
             .iter()
-            .fold(self.first.light(n, v, lights), |sum, coat| {
-                sum.zip(coat.light(n, v, lights), A::add_light)
+            .fold(self.first.light(n, v, lights, place), |sum, coat| {
+                sum.zip(coat.light(n, v, lights, place), A::add_light)
             })
     }
 }
@@ -82,7 +89,7 @@ impl<A: HostArithmetic> SceneParts<A> {
     pub fn scene<'a>(
         &'a self,
         materials: &'a [AnySurface<'a, A>],
-    ) -> Scene<'a, A, AnySurface<'a, A>> {
+    ) -> Scene<'a, A, AnySurface<'a, A>, Checker<A>, AnyLight<A>> {
         Scene {
             camera: self.prepared.camera,
             spheres: &self.prepared.spheres,

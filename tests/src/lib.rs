@@ -2,6 +2,7 @@
 //! measured, and the one table of tolerances.
 
 pub mod arithmetic;
+pub mod baked;
 pub mod curves;
 pub mod document;
 pub mod domain;
@@ -10,6 +11,7 @@ pub mod error;
 pub mod frame;
 pub mod fuzz;
 pub mod fuzz_scene;
+pub mod pictures;
 pub mod planted;
 pub mod registry;
 pub mod sampling;

@@ -7,8 +7,7 @@ use microbrdf_scene::Description;
 use microbrdf_sim::arithmetic::ArithmeticName;
 use microbrdf_sim::measure::{JUMP, Measured};
 use microbrdf_sim::picture::Picture;
-use microbrdf_sim::reference_picture::{self, Exact};
-use microbrdf_sim::render;
+use microbrdf_tests::pictures::{Case, faults};
 
 /// What the demo scene lacks: planes, spheres before spheres, an edge of a
 /// patch, plastic, a lobe towards the light, a light from behind.
@@ -77,91 +76,47 @@ exponent = 9
 p = 0.5
 "#;
 
-struct Case {
-    description: Description,
-    exact: Exact,
+fn demo() -> &'static Case {
+    static CASE: OnceLock<Case> = OnceLock::new();
+    CASE.get_or_init(|| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/demo.toml");
+        Case::new(Description::from_file(&path).expect("the demo scene"))
+    })
 }
 
-impl Case {
-    fn new(description: Description) -> Self {
-        let exact = reference_picture::render(&description);
-        Self { description, exact }
-    }
-
-    fn demo() -> &'static Self {
-        static CASE: OnceLock<Case> = OnceLock::new();
-        CASE.get_or_init(|| {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/demo.toml");
-            Self::new(Description::from_file(&path).expect("the demo scene"))
-        })
-    }
-
-    fn mixed() -> &'static Self {
-        static CASE: OnceLock<Case> = OnceLock::new();
-        CASE.get_or_init(|| {
-            Self::new(Description::from_toml("mixed", "mixed", MIXED).expect("the mixed scene"))
-        })
-    }
-
-    fn picture(&self, arithmetic: ArithmeticName) -> Picture {
-        render::frame(&self.description, arithmetic)
-            .expect("a picture")
-            .srgb()
-    }
-}
-
-/// At most one code off but for class flips, at most 20 of those, at least
-/// 99 % of codes identical.
-fn faults(found: &Measured) -> Vec<&'static str> {
-    [
-        (found.code_error_max > 1, "a code is off by more than one"),
-        (
-            found.lsb_error_max > 1.0,
-            "a code is off by more than 1 LSB",
-        ),
-        (found.off_by_more > 0.0, "codes are off by more than one"),
-        (found.off_by_one > 0.01, "too many codes are off by one"),
-        (found.class_flips > 20, "too many class flips"),
-        (found.delta_e_p95 > 0.5, "the colours differ"),
-    ]
-    .into_iter()
-    .filter_map(|(fault, text)| fault.then_some(text))
-    .collect()
+fn mixed() -> &'static Case {
+    static CASE: OnceLock<Case> = OnceLock::new();
+    CASE.get_or_init(|| Case::of(MIXED))
 }
 
 fn holds(case: &Case, arithmetic: ArithmeticName) {
-    let found = Measured::new(&case.picture(arithmetic), &case.exact);
+    let found = case.measured(arithmetic);
     println!("{}: {found:?}", arithmetic.name());
     assert!(faults(&found).is_empty(), "{:?}: {found:?}", faults(&found));
 }
 
 #[test]
 fn the_demo_in_f32_is_the_references() {
-    holds(Case::demo(), ArithmeticName::F32);
+    holds(demo(), ArithmeticName::F32);
 }
 
 #[test]
 fn the_demo_in_q31_is_the_references() {
-    holds(Case::demo(), ArithmeticName::Q31);
+    holds(demo(), ArithmeticName::Q31);
 }
 
 #[test]
 fn every_kind_of_object_is_the_references() {
     for arithmetic in ArithmeticName::ALL {
-        holds(Case::mixed(), arithmetic);
+        holds(mixed(), arithmetic);
     }
 }
 
 /// A flip counts only beside a jump, and few pixels are that near to one.
 #[test]
 fn few_pixels_are_exempt() {
-    for case in [Case::demo(), Case::mixed()] {
-        let near = case
-            .exact
-            .pixels
-            .iter()
-            .filter(|pixel| pixel.jump <= JUMP)
-            .count();
+    for case in [demo(), mixed()] {
+        let near = case.exempt();
         assert!(near <= 20, "{near} pixels lie within {JUMP:e} of a jump");
     }
 }
@@ -169,7 +124,7 @@ fn few_pixels_are_exempt() {
 /// The measure sees what is wrong with a picture.
 #[test]
 fn wrong_pictures_are_told_apart() {
-    let case = Case::demo();
+    let case = demo();
     let good = case.picture(ArithmeticName::Q31);
     let changed = |change: &dyn Fn(usize, [u8; 3]) -> [u8; 3]| {
         let pixels = good.pixels.iter().enumerate();

@@ -434,9 +434,9 @@ fn names_and_kinds() {
     );
     refused(
         "kind = \"directional\"",
-        "kind = \"point\"",
-        "\"point\"",
-        &["light[1].kind = \"point\"", "\"directional\""],
+        "kind = \"spot\"",
+        "\"spot\"",
+        &["light[1].kind = \"spot\"", "\"directional\""],
     );
     refused(
         "name = \"good\"",

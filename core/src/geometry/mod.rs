@@ -29,7 +29,7 @@ pub trait Geometry<A: Arithmetic> {
 
 /// 1 − L·V: half the square of L − V.
 #[inline]
-fn retro_versine<A: Arithmetic>(l: &Direction<A>, v: &Direction<A>) -> A::Versine {
+pub(crate) fn retro_versine<A: Arithmetic>(l: &Direction<A>, v: &Direction<A>) -> A::Versine {
     A::half(A::square([
         A::difference(l.x, v.x),
         A::difference(l.y, v.y),

@@ -1,8 +1,14 @@
 //! From a scene to a display's codes.
 
 mod camera;
+mod checker;
 mod grey;
+mod light;
 mod linear;
+mod placing;
+mod placing_f32;
+mod placing_q15;
+mod placing_q31;
 mod plane;
 mod root;
 mod scene;
@@ -16,9 +22,12 @@ mod tracing_q15;
 mod tracing_q31;
 
 pub use camera::Camera;
+pub use checker::Checker;
 pub use grey::grey16;
+pub use light::{Beam, Dimmed, FloodLight, Light, PointLight};
 pub use linear::{LINEAR_ONE, Linear};
-pub use plane::Plane;
+pub use placing::Placing;
+pub use plane::{Ground, Plane};
 pub use scene::Scene;
 pub use sphere::Sphere;
 pub use srgb::{srgb8, srgb8_bisected};

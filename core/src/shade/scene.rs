@@ -1,28 +1,35 @@
 //! A scene, shaded row by row.
 
-use super::{Camera, Linear, Plane, Sphere, Surface, Tracing};
+use super::{Camera, Ground, Light, Linear, Placing, Plane, Sphere, Surface, Tracing};
 use crate::geometry::Direction;
 
 /// Everything that a picture is computed from. `S` is the type of its
 /// materials: an enum of all models on a host, of just the scene's own on a
-/// microcontroller; the row function is the same.
+/// microcontroller; the row function is the same. `P` and `L` are those of its
+/// planes and lights in the same way.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, A: Tracing, S> {
+pub struct Scene<'a, A: Tracing, S, P = Plane<A>, L = Direction<A>> {
     /// Where it is seen from.
     pub camera: Camera<A>,
     /// Its spheres.
     pub spheres: &'a [Sphere<A>],
     /// Its planes.
-    pub planes: &'a [Plane<A>],
-    /// Directions to its lights.
-    pub lights: &'a [Direction<A>],
+    pub planes: &'a [P],
+    /// Its lights.
+    pub lights: &'a [L],
     /// Its materials; a shape whose index is past the end is black.
     pub materials: &'a [S],
     /// What a ray that meets nothing sees.
     pub background: Linear,
 }
 
-impl<A: Tracing, S: Surface<A>> Scene<'_, A, S> {
+impl<A, S, P, L> Scene<'_, A, S, P, L>
+where
+    A: Placing,
+    S: Surface<A>,
+    P: Ground<A>,
+    L: Light<A>,
+{
     /// Shades row `y`, counted from the top, and hands each pixel with its
     /// column to `sink`, from left to right.
     #[inline]
@@ -37,33 +44,28 @@ impl<A: Tracing, S: Surface<A>> Scene<'_, A, S> {
     #[must_use]
     pub fn shade_pixel(&self, x: usize, y: usize) -> Linear {
         let d = A::ray(&self.camera, x, y);
-        let Some((normal, material)) = self.first_hit(&d) else {
+        let Some((depth, normal, material)) = self.first_hit(&d) else {
             return self.background;
         };
         let Some(surface) = self.materials.get(usize::from(material)) else {
             return Linear::default();
         };
-        A::linear(surface.light(&normal, &A::reverse(&d), self.lights))
+        let place = || A::place(&d, depth);
+        A::linear(surface.light(&normal, &A::reverse(&d), self.lights, place))
     }
 
-    /// Normal and material of what the ray meets first.
+    /// Depth, normal and material of what the ray meets first.
     #[inline]
-    fn first_hit(&self, d: &A::Ray) -> Option<(Direction<A>, u8)> {
-        let spheres = self
-            .spheres
-            .iter()
-            .map(|sphere| (sphere.hit(d), sphere.material));
-        let planes = self
-            .planes
-            .iter()
-            .map(|plane| (plane.hit(d), plane.material));
+    fn first_hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
+        let spheres = self.spheres.iter().map(|sphere| sphere.hit(d));
+        let planes = self.planes.iter().map(|plane| plane.hit(d));
         let mut first: Option<(A::Depth, Direction<A>, u8)> = None;
-        for (hit, material) in spheres.chain(planes) {
-            let Some((depth, normal)) = hit else { continue };
-            if first.is_none_or(|(nearest, ..)| depth < nearest) {
-                first = Some((depth, normal, material));
+        for hit in spheres.chain(planes) {
+            let Some(hit) = hit else { continue };
+            if first.is_none_or(|(nearest, ..)| hit.0 < nearest) {
+                first = Some(hit);
             }
         }
-        first.map(|(_, normal, material)| (normal, material))
+        first
     }
 }

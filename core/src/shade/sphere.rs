@@ -15,13 +15,13 @@ pub struct Sphere<A: Tracing> {
 }
 
 impl<A: Tracing> Sphere<A> {
-    /// Distance and normal where the ray `d` enters.
+    /// Distance, normal and material where the ray `d` enters.
     #[inline]
-    pub(crate) fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>)> {
+    pub(crate) fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
         let along = A::along(&self.eye, d);
         let nearest = A::nearest(&self.eye, d, along)?;
         let half = A::half_chord(&nearest)?;
         let depth = A::sphere_depth(self.radius, along, half)?;
-        Some((depth, A::entry(&nearest, half, d)))
+        Some((depth, A::entry(&nearest, half, d), self.material))
     }
 }

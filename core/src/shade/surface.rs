@@ -1,5 +1,6 @@
 //! A material under a scene's lights.
 
+use super::{Beam, Light, Placing};
 use crate::arithmetic::Arithmetic;
 use crate::brdf::Brdf;
 use crate::colour::Rgb;
@@ -7,10 +8,17 @@ use crate::geometry::{Direction, World};
 use crate::table::CosineCurve;
 
 /// What a scene knows of a material: the light that it sends to the viewer.
-pub trait Surface<A: Arithmetic> {
+pub trait Surface<A: Placing> {
     /// Exposed light from a point with normal `n` towards `v`, both unit
-    /// vectors of the lights' frame; `lights` are the directions to them.
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light>;
+    /// vectors of the lights' frame; `place` tells where the point is, to those
+    /// lights that ask.
+    fn light(
+        &self,
+        n: &Direction<A>,
+        v: &Direction<A>,
+        lights: &[impl Light<A>],
+        place: impl Fn() -> A::Place + Copy,
+    ) -> Rgb<A::Light>;
 }
 
 /// A model with the gain of each light, and its answer to daylight.
@@ -27,26 +35,39 @@ pub struct Coat<'a, A: Arithmetic, M, D> {
     pub daylight: D,
 }
 
-impl<A: Arithmetic, M: Brdf<A>, D: Daylight<A>> Surface<A> for Coat<'_, A, M, D> {
+impl<A: Placing, M: Brdf<A>, D: Daylight<A>> Surface<A> for Coat<'_, A, M, D> {
     #[inline]
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
+    fn light(
+        &self,
+        n: &Direction<A>,
+        v: &Direction<A>,
+        lights: &[impl Light<A>],
+        place: impl Fn() -> A::Place + Copy,
+    ) -> Rgb<A::Light> {
         let n_dot_v = A::dot(n, v);
         let mut sum = self.daylight.light(n_dot_v);
-        for (l, gain) in lights.iter().zip(self.gains) {
-            let geometry = World::with_cosine(*n, *l, *v, n_dot_v);
-            sum = sum.zip(self.model.shade(gain, &geometry), A::add_light);
+        for (light, gain) in lights.iter().zip(self.gains) {
+            let beam = light.beam(place);
+            let geometry = World::with_cosine(*n, *beam.direction(), *v, n_dot_v);
+            sum = sum.zip(beam.shade(&self.model, gain, &geometry), A::add_light);
         }
         sum
     }
 }
 
 /// Two coats, one over the other: their light is added.
-impl<A: Arithmetic, S: Surface<A>, T: Surface<A>> Surface<A> for (S, T) {
+impl<A: Placing, S: Surface<A>, T: Surface<A>> Surface<A> for (S, T) {
     #[inline]
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
+    fn light(
+        &self,
+        n: &Direction<A>,
+        v: &Direction<A>,
+        lights: &[impl Light<A>],
+        place: impl Fn() -> A::Place + Copy,
+    ) -> Rgb<A::Light> {
         self.0
-            .light(n, v, lights)
-            .zip(self.1.light(n, v, lights), A::add_light)
+            .light(n, v, lights, place)
+            .zip(self.1.light(n, v, lights, place), A::add_light)
     }
 }
 

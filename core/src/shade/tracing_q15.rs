@@ -70,7 +70,7 @@ impl<const KNOTS: usize> Tracing for Q15<KNOTS> {
 }
 
 #[inline]
-fn rounded<const KNOTS: usize>(d: &Direction<Fine>) -> Direction<Q15<KNOTS>> {
+pub(super) fn rounded<const KNOTS: usize>(d: &Direction<Fine>) -> Direction<Q15<KNOTS>> {
     // Components are at most 1 but for a few steps: half a step more fits.
     let short = |component: I2F30| {
         I2F14::from_bits((component.to_bits().saturating_add(1 << 15) >> 16) as i16)

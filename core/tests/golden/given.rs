@@ -5,7 +5,7 @@ use microbrdf::arithmetic::{F32, Float, Math, Q15, Q31};
 use microbrdf::fixed::types::{I2F14, I2F30, I8F24, I24F40, U0F32, U32F32};
 use microbrdf::geometry::Direction;
 use microbrdf::sampling::Sampling;
-use microbrdf::shade::Tracing;
+use microbrdf::shade::Placing;
 use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
 use microbrdf_bits::{Raw, Sampled};
 
@@ -18,7 +18,7 @@ pub trait Given: Sampled {
 }
 
 /// One that traces rays.
-pub trait Viewed: Given + Tracing {
+pub trait Viewed: Given + Placing {
     /// A step of the camera, a rounded number.
     fn fine(number: f64) -> Self::Fine;
     /// A length, a rounded number.

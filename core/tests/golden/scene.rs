@@ -4,7 +4,7 @@ use microbrdf::Rgb;
 use microbrdf::brdf::{Metallic, Mirror};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{
-    AlbedoDaylight, Camera, Coat, Linear, NoDaylight, Plane, Scene, Sphere, Surface, grey16,
+    AlbedoDaylight, Camera, Coat, Light, Linear, NoDaylight, Plane, Scene, Sphere, Surface, grey16,
 };
 use microbrdf_bits::Checksum;
 
@@ -100,13 +100,17 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
         gains: &gains[..2],
         daylight: NoDaylight,
     };
-    let materials: [&dyn Lit<A>; 3] = [&shiny, &dull, &(shiny, dull)];
+    let materials = [
+        Worn::First(shiny),
+        Worn::Second(dull),
+        Worn::Both((shiny, dull)),
+    ];
     let scene = Scene {
         camera,
         spheres: &spheres,
         planes: &planes,
         lights: &lights,
-        materials: &materials.map(Dyn),
+        materials: &materials,
         background: Linear::from_raw(1 << 20, 1 << 21, 1 << 22),
     };
     let mut sum = Checksum::new();
@@ -123,21 +127,25 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
     sum.value()
 }
 
-/// A surface behind a pointer.
-trait Lit<A: Viewed> {
-    fn lit(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light>;
+/// One coat, another, or both.
+enum Worn<S, T> {
+    First(S),
+    Second(T),
+    Both((S, T)),
 }
 
-impl<A: Viewed, S: Surface<A>> Lit<A> for S {
-    fn lit(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
-        self.light(n, v, lights)
-    }
-}
-
-struct Dyn<'a, A>(&'a dyn Lit<A>);
-
-impl<A: Viewed> Surface<A> for Dyn<'_, A> {
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[Direction<A>]) -> Rgb<A::Light> {
-        self.0.lit(n, v, lights)
+impl<A: Viewed, S: Surface<A>, T: Surface<A>> Surface<A> for Worn<S, T> {
+    fn light(
+        &self,
+        n: &Direction<A>,
+        v: &Direction<A>,
+        lights: &[impl Light<A>],
+        place: impl Fn() -> A::Place + Copy,
+    ) -> Rgb<A::Light> {
+        match self {
+            Self::First(coat) => coat.light(n, v, lights, place),
+            Self::Second(coat) => coat.light(n, v, lights, place),
+            Self::Both(coats) => coats.light(n, v, lights, place),
+        }
     }
 }

@@ -5,6 +5,8 @@ use microbrdf::arithmetic::{Arithmetic, Gain15, Gain31, Q15, Q31};
 use microbrdf::brdf::{
     Axis, Foreshortening, Lambert, Patch, PatchExponential, PhongLobe, Plastic, PowerModel,
 };
+use microbrdf::geometry::Direction;
+use microbrdf::shade::{FloodLight, PointLight};
 use microbrdf::{ParameterError, Rgb};
 
 use super::HostArithmetic;
@@ -59,6 +61,9 @@ macro_rules! fixed_point {
             fn length(value: f64) -> I8F24 {
                 I8F24::saturating_from_num(value)
             }
+            fn length_value(length: I8F24) -> f64 {
+                length.to_num()
+            }
             fn fine(value: f64) -> I24F40 {
                 I24F40::saturating_from_num(value)
             }
@@ -105,6 +110,14 @@ macro_rules! fixed_point {
                     rgb(specular),
                     U32F32::saturating_from_num(exponent),
                 )
+            }
+
+            fn flood(
+                lamp: PointLight<Self>,
+                back: Direction<Self>,
+                exponent: f64,
+            ) -> Result<FloodLight<Self>, ParameterError> {
+                FloodLight::<Self>::new(lamp, back, U32F32::saturating_from_num(exponent))
             }
 
             fn component_code(component: $component) -> String {

@@ -4,6 +4,8 @@ use microbrdf::arithmetic::{Approximate, Float, Libm, Math};
 use microbrdf::brdf::{
     Axis, Foreshortening, Lambert, Patch, PatchExponential, PhongLobe, Plastic, PowerModel,
 };
+use microbrdf::geometry::Direction;
+use microbrdf::shade::{FloodLight, PointLight};
 use microbrdf::{ParameterError, Rgb};
 
 use super::HostArithmetic;
@@ -55,6 +57,9 @@ impl<M: Named> HostArithmetic for Float<M> {
     fn length(value: f64) -> f32 {
         value as f32
     }
+    fn length_value(length: f32) -> f64 {
+        f64::from(length)
+    }
     fn fine(value: f64) -> f32 {
         value as f32
     }
@@ -96,6 +101,14 @@ impl<M: Named> HostArithmetic for Float<M> {
     ) -> Result<Plastic<Self>, ParameterError> {
         let rgb = |colour: [f64; 3]| Rgb::from_array(colour.map(|channel| channel as f32));
         Plastic::<Self>::new(rgb(albedo), rgb(specular), exponent as f32)
+    }
+
+    fn flood(
+        lamp: PointLight<Self>,
+        back: Direction<Self>,
+        exponent: f64,
+    ) -> Result<FloodLight<Self>, ParameterError> {
+        FloodLight::<Self>::new(lamp, back, exponent as f32)
     }
 
     fn component_code(component: f32) -> String {

@@ -7,12 +7,13 @@ use microbrdf::ParameterError;
 use microbrdf::brdf::{
     Axis, Foreshortening, Lambert, Patch, PatchExponential, PhongLobe, Plastic, PowerModel,
 };
-use microbrdf::shade::Tracing;
+use microbrdf::geometry::Direction;
+use microbrdf::shade::{FloodLight, Placing, PointLight};
 
 /// What a host adds to an arithmetic: conversion of every quantity, each
 /// rounded once, and how its constants are written in Rust.
 pub trait HostArithmetic:
-    Tracing<
+    Placing<
         Component: Send + Sync,
         Length: Send + Sync,
         Fine: Send + Sync,
@@ -47,6 +48,8 @@ pub trait HostArithmetic:
     fn gain(value: f64) -> Self::Gain;
     /// Rounds a length, of a magnitude below 128.
     fn length(value: f64) -> Self::Length;
+    /// The length's value.
+    fn length_value(length: Self::Length) -> f64;
     /// Rounds a camera's step.
     fn fine(value: f64) -> Self::Fine;
     /// A BRDF value in decimal digits that read back exactly.
@@ -96,6 +99,16 @@ pub trait HostArithmetic:
         specular: [f64; 3],
         exponent: f64,
     ) -> Result<Plastic<Self>, ParameterError>;
+
+    /// The lamp about an axis.
+    ///
+    /// # Errors
+    /// An exponent outside its range.
+    fn flood(
+        lamp: PointLight<Self>,
+        back: Direction<Self>,
+        exponent: f64,
+    ) -> Result<FloodLight<Self>, ParameterError>;
 
     /// A Rust expression for a component.
     fn component_code(component: Self::Component) -> String;

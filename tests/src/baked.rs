@@ -1,0 +1,96 @@
+//! Scenes whose baked Rust is kept in `tests/baked`, so that a test compiles
+//! and runs it.
+
+use microbrdf_scene::{Description, bake};
+use microbrdf_sim::arithmetic::ArithmeticName;
+use microbrdf_sim::with_arithmetic;
+
+/// A checker under a light of each kind.
+pub const LAMPS: &str = r#"
+exposure = 0.8
+background = [0.02, 0.03, 0.05]
+[camera]
+width = 96
+height = 64
+eye = [0.0, -7.0, 2.0]
+target = [0.0, 0.0, 0.3]
+fov = 35.0
+[daylight]
+color = [0.1, 0.12, 0.15]
+[[light]]
+kind = "directional"
+direction = [-0.5, -0.7, 0.9]
+color = [0.8, 0.7, 0.7]
+[[light]]
+kind = "point"
+position = [0.5, -2.5, 2.5]
+intensity = [6.0, 5.0, 4.0]
+[[light]]
+kind = "flood"
+position = [-3.0, -1.0, 4.0]
+axis = [0.4, 0.2, -1.0]
+exponent = 12
+intensity = [9.0, 12.0, 20.0]
+[[plane]]
+point = [0.1, 0.05, -1.0]
+normal = [0.0, 0.0, 1.0]
+material = "floor"
+checker = { material = "clay", size = 0.8 }
+[[plane]]
+point = [0.0, 12.0, 0.0]
+normal = [0.1, -1.0, 0.0]
+material = "clay"
+[[sphere]]
+center = [-1.4, 0.0, 0.0]
+radius = 1.0
+material = "gold"
+[[sphere]]
+center = [1.2, 0.4, 0.0]
+radius = 1.0
+material = "between"
+[material.floor]
+model = "plastic"
+albedo = 0.4
+specular = 0.3
+exponent = 50
+[material.clay]
+model = "lambert"
+albedo = [0.5, 0.3, 0.2]
+[material.gold]
+model = "metal"
+metal = "gold"
+exponent = 36
+[material.between]
+model = "phong"
+exponent = 9
+p = 0.5
+"#;
+
+/// Scenes by name.
+pub const SCENES: [(&str, &str); 1] = [("lamps", LAMPS)];
+
+/// Arithmetics that they are baked in.
+pub const ARITHMETICS: [ArithmeticName; 3] = [
+    ArithmeticName::F32,
+    ArithmeticName::Q31,
+    ArithmeticName::Q15,
+];
+
+/// The description of a scene.
+///
+/// # Panics
+/// On a mistake in it.
+#[must_use]
+pub fn description(name: &str, text: &str) -> Description {
+    Description::from_toml(name, name, text).expect("a scene")
+}
+
+/// A scene's Rust.
+///
+/// # Panics
+/// On a material that the arithmetic does not take.
+#[must_use]
+pub fn source(name: &str, text: &str, arithmetic: ArithmeticName) -> String {
+    let description = description(name, text);
+    with_arithmetic!(arithmetic, A => bake::<A>(&description)).expect("a scene for it")
+}
