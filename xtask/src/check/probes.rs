@@ -1,7 +1,8 @@
-//! What the linked core does not contain: a reachable panic, and in fixed point a float.
+//! What the linked core does not contain: a reachable panic, in fixed point a float, and stack without a bound.
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use object::Endianness;
 use object::elf::FileHeader32;
@@ -62,6 +63,8 @@ fn probe(bench: &Bench<'_>, target: &str) -> Outcome<Tally> {
         }
         tally += Tally::PASSED;
     }
+    stack(bench, target)?;
+    tally += Tally::PASSED;
     let (linked, output) = link(bench, target, MUST_FAIL)?;
     if linked || !output.contains(PANIC) {
         return Err(Failure::incomplete(format!(
@@ -70,6 +73,15 @@ fn probe(bench: &Bench<'_>, target: &str) -> Outcome<Tally> {
     }
     tally += Tally::PASSED;
     Ok(tally)
+}
+
+/// Prints how much stack each probe takes at most; fails where that has no bound.
+fn stack(bench: &Bench<'_>, target: &str) -> Outcome<()> {
+    let mut command = Command::new(bench.layout.venv_program("microbrdf-stack"));
+    command.args(PROBES.map(|(name, _)| elf(bench, target, name)));
+    let output = bench.finish(&format!("stack-{target}"), &mut command)?;
+    print!("{output}");
+    Ok(())
 }
 
 /// Links a probe; whether it did, and what was said.
