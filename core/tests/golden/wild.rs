@@ -54,7 +54,17 @@ pub fn add<A: Given>(sums: &mut Sums) {
 
 fn any<A: Given>(model: Result<impl Brdf<A>, ParameterError>) -> u64 {
     let model = model.expect("a parameter within its range");
-    let gains = [0, 1, 1 << 16, 1 << 40, u64::MAX >> 16].map(A::gain);
+    let gains = [
+        0,
+        1,
+        1 << 16,
+        98_765,
+        4_123_457,
+        0x1_FFFF_FFFF,
+        1 << 40,
+        u64::MAX >> 16,
+    ]
+    .map(A::gain);
     let mut words = Words::new(0xB175);
     let mut sum = Checksum::new();
     let corners = CORNERS.map(given::direction::<A>);
