@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use microbrdf_reference::light::{Attenuation, Illumination, Light};
+use microbrdf_reference::light::{Illumination, Light};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
 use microbrdf_scene::{
-    AlbedoTable, Description, LightDescription, LightKind, Material, PlaneDescription,
-    camera_frame, half_pixel, plane_axes,
+    AlbedoTable, Description, LightDescription, Material, PlaneDescription, camera_frame,
+    half_pixel, plane_axes,
 };
 use rayon::prelude::*;
 
@@ -57,7 +57,11 @@ pub fn render(description: &Description) -> Exact {
         .iter()
         .map(|(_, material)| surface(material, description.daylight.is_some()))
         .collect();
-    let lights: Vec<_> = description.lights.iter().map(light).collect();
+    let lights: Vec<_> = description
+        .lights
+        .iter()
+        .map(LightDescription::reference)
+        .collect();
     let progress = Progress::new("reference", height);
     let rows = (0..height).into_par_iter().map(|y| {
         let row: Vec<_> = (0..width)
@@ -215,32 +219,6 @@ fn squares(plane: &PlaneDescription, place: [f64; 3]) -> (usize, f64) {
     };
     let edge = positions.map(|position| (position - position.round()).abs());
     (material, edge[0].min(edge[1]) * checker.size)
-}
-
-/// The reference's light.
-fn light(light: &LightDescription) -> Light {
-    const CHECKED: &str = "the ranges were checked when the scene was read";
-    let direction = |[x, y, z]: [f64; 3]| Direction::new(x, y, z);
-    let attenuation = Attenuation::InverseSquare;
-    match light.kind {
-        LightKind::Directional {
-            direction: to_light,
-        } => Light::directional(direction(to_light), light.color),
-        LightKind::Point { position, .. } => Light::point(position, light.color, attenuation),
-        LightKind::Flood {
-            position,
-            axis,
-            exponent,
-            ..
-        } => Light::flood(
-            position,
-            light.color,
-            attenuation,
-            direction(axis),
-            exponent,
-        ),
-    }
-    .expect(CHECKED)
 }
 
 /// L and V in a shading frame of the normal.

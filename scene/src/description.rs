@@ -124,6 +124,8 @@ const COORDINATE: std::ops::RangeInclusive<f64> = -1000.0..=1000.0;
 const GREATEST_LENGTH: f64 = 127.0;
 /// Least distance of a lamp from a surface.
 const LEAST_LAMP_DISTANCE: f64 = 0.01;
+/// What radiance may be multiplied by.
+const EXPOSURE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 /// Greatest number of objects of a kind.
 const GREATEST_COUNT: usize = 255;
 
@@ -185,12 +187,10 @@ impl Description {
             Some(color) => color.colour(0.0..=1e6)?.rgb(),
             None => [0.0; 3],
         };
-        let exposure = match table.optional("exposure") {
-            Some(exposure) => exposure.number(1e-6..=1e6)?,
-            None => 1.0,
-        };
+        let exposure = table.optional("exposure");
+        let by_grey = exposure.as_ref().filter(|value| value.is("auto"));
         table.finish()?;
-        Ok(Self {
+        let mut scene = Self {
             name,
             camera,
             spheres,
@@ -198,9 +198,21 @@ impl Description {
             lights,
             daylight,
             background,
-            exposure,
+            exposure: match &exposure {
+                Some(number) if by_grey.is_none() => number
+                    .number(EXPOSURE)
+                    .map_err(|fault| fault.or(", or \"auto\""))?,
+                _ => 1.0,
+            },
             materials: names.used,
-        })
+        };
+        if let Some(value) = by_grey {
+            let found = scene.grey_sphere_exposure();
+            scene.exposure = found
+                .filter(|found| EXPOSURE.contains(found))
+                .ok_or_else(|| value.fault("a number here: too little light reaches the target"))?;
+        }
+        Ok(scene)
     }
 }
 

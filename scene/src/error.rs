@@ -45,6 +45,12 @@ impl Fault {
         }
     }
 
+    /// With more of what is accepted.
+    pub(crate) fn or(mut self, more: &str) -> Self {
+        self.message.push_str(more);
+        self
+    }
+
     pub(crate) fn within(self, source_name: &str, text: &str) -> SceneError {
         let mut offset = self.offset.min(text.len());
         while !text.is_char_boundary(offset) {

@@ -6,6 +6,7 @@ mod bake;
 mod curve;
 mod description;
 mod error;
+mod exposure;
 pub mod files;
 mod host;
 mod lamp;

@@ -225,6 +225,11 @@ impl<'t, 'i> Value<'t, 'i> {
             .collect()
     }
 
+    /// Whether it is this string.
+    pub(crate) fn is(&self, text: &str) -> bool {
+        matches!(self.value, DeValue::String(given) if given.as_ref() == text)
+    }
+
     pub(crate) fn string(&self) -> Result<&'t str, Fault> {
         match self.value {
             DeValue::String(text) => Ok(text),

@@ -1,6 +1,7 @@
 //! What a scene may have beside spheres, planes and directional lights,
 //! against the reference in every arithmetic.
 
+use microbrdf_reference::lightness;
 use microbrdf_scene::{Description, LightKind};
 use microbrdf_sim::arithmetic::ArithmeticName;
 use microbrdf_tests::baked::LAMPS;
@@ -153,4 +154,83 @@ fn mistakes_are_named() {
         let error = Description::from_toml("scene", "scene", &text).unwrap_err();
         assert!(error.to_string().contains(message), "{wrong}: {error}");
     }
+}
+
+/// A sphere seen from so far that its disc is round, and small enough to be
+/// all at one distance of the lamp: with radius 1 the lit side gets 3 % more.
+const GREY: &str = r#"
+exposure = "auto"
+[camera]
+width = 320
+height = 320
+eye = [10.0, -35.0, 15.0]
+target = [0.3, 0.2, -0.1]
+fov = 1.2
+[daylight]
+color = [0.03, 0.02, 0.05]
+[[light]]
+kind = "directional"
+direction = [0.5, -0.7, 0.9]
+color = [0.08, 0.07, 0.01]
+[[light]]
+kind = "flood"
+position = [-30.3, -45.0, 40.0]
+axis = [0.7, 1.0, -0.9]
+exponent = 8
+intensity = [900, 500, 700]
+[[sphere]]
+center = [0.3, 0.2, -0.1]
+radius = 0.4
+material = "grey"
+[material.grey]
+model = "lambert"
+albedo = 0.5
+"#;
+
+/// The median lightness of the sphere's pixels.
+fn median_lightness(text: &str) -> f64 {
+    let case = Case::of(text);
+    let frame = microbrdf_sim::render::frame(&case.description, ArithmeticName::Q31).unwrap();
+    let mut found: Vec<f64> = frame
+        .pixels
+        .iter()
+        .map(|pixel| f64::from(pixel.luminance()) / f64::from(1 << 24))
+        .filter(|luminance| *luminance > 0.0)
+        .collect();
+    found.sort_by(f64::total_cmp);
+    lightness(found[found.len() / 2])
+}
+
+#[test]
+fn a_grey_sphere_is_exposed_to_a_lightness_of_50() {
+    let found = median_lightness(GREY);
+    assert!((found - 50.0).abs() < 0.1, "L* = {found}");
+    // A stated number is kept; half the light makes another picture of it.
+    let stated = without(GREY, "\"auto\"", "1.0");
+    assert!((median_lightness(&stated) - 50.0).abs() > 5.0);
+    assert_eq!(Case::of(&stated).description.exposure, 1.0);
+    let dim = without(GREY, "[900, 500, 700]", "[450, 250, 350]");
+    assert!((median_lightness(&dim) - 50.0).abs() < 0.1);
+}
+
+#[test]
+fn an_exposure_is_a_number_or_auto() {
+    for (exposure, message) in [
+        (
+            "\"automatic\"",
+            "must be a number from 0.000001 to 1000000, or \"auto\"",
+        ),
+        (
+            "0",
+            "must be a number from 0.000001 to 1000000, or \"auto\"",
+        ),
+    ] {
+        let text = without(GREY, "\"auto\"", exposure);
+        let error = Description::from_toml("scene", "scene", &text).unwrap_err();
+        assert!(error.to_string().contains(message), "{error}");
+    }
+    let dark = "exposure = \"auto\"\n[camera]\nwidth = 8\nheight = 8\neye = [0, -9, 0]\n\
+                target = [0, 0, 0]\nfov = 20\n";
+    let error = Description::from_toml("scene", "scene", dark).unwrap_err();
+    assert!(error.to_string().contains("too little light"), "{error}");
 }
