@@ -16,6 +16,9 @@ const SUBJECTS: [(&str, &str, &str); 3] = [
     ("metal", "metal = \"gold\", exponent = 20", "gold, n = 20"),
 ];
 
+/// Colours of a palette; then it begins anew.
+const COLOURS: usize = 8;
+
 /// The file of a core's plot, in `docs`.
 #[must_use]
 pub fn file(core: &str) -> String {
@@ -65,7 +68,9 @@ fn panel<'a>(title: &str, rows: impl Iterator<Item = &'a Row>, kind: &str) -> Pa
         .iter()
         .enumerate()
         .map(|(colour, (name, cycles, error))| {
-            Series::new(name.clone(), colour, mark(*cycles, *error, colour))
+            let shape = if colour < COLOURS { "◇" } else { "+" };
+            let name = format!("{shape} {name}");
+            Series::new(name, colour, mark(*cycles, *error, colour))
         })
         .collect();
     series.push(Series::new("front", 6, front(&points)).dashed());
@@ -74,8 +79,9 @@ fn panel<'a>(title: &str, rows: impl Iterator<Item = &'a Row>, kind: &str) -> Pa
 
 /// A mark about a point: a diamond, or a cross where the palette begins anew.
 fn mark(x: f64, y: f64, index: usize) -> Vec<(f64, f64)> {
-    let (dx, dy) = (1.06, 1.06);
-    if index < 8 {
+    // A decade of cycles is a third longer than one of errors.
+    let (dx, dy) = (1.13, 1.17);
+    if index < COLOURS {
         vec![
             (x / dx, y),
             (x, y * dy),
