@@ -38,7 +38,7 @@ pub fn send_frame<S: Scene, W: Write, P: Panel, L: LogSource>(
     for y in 0..S::HEIGHT {
         row.clear();
         scene.shade_row(y.into(), |x, light| {
-            encode_pixel(format, light, row);
+            encode_pixel(format, S::DITHER.then_some([x, y.into()]), light, row);
             board.panel.pixel(x, light);
         });
         frame.row(y, row)?;

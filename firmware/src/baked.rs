@@ -18,6 +18,10 @@ pub const PIXEL_FORMAT: PixelFormat = if cfg!(feature = "rgb565") {
     PixelFormat::Srgb8
 };
 
+/// Whether displays of few levels dither.
+#[allow(unused)] // by boards without a display
+pub const DITHER: bool = Baked::DITHER;
+
 /// Bytes of a row of pixels.
 pub const ROW_BYTES: usize = scene::WIDTH * PIXEL_FORMAT.bytes_per_pixel();
 
@@ -36,6 +40,7 @@ impl Scene for Baked {
     const NAME: &'static str = scene::NAME;
     const ARITHMETIC: &'static str = scene::ARITHMETIC;
     const EXPOSURE: f64 = scene::EXPOSURE as _;
+    const DITHER: bool = scene::DITHER;
     const WIDTH: u16 = wire_size(scene::WIDTH);
     const HEIGHT: u16 = wire_size(scene::HEIGHT);
 

@@ -2,7 +2,7 @@
 
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiDevice;
-use microbrdf::shade::{Linear, grey16};
+use microbrdf::shade::{Linear, grey16, grey16_nearest};
 
 use crate::panel::Panel;
 use crate::ssd0323::{COLUMNS, ROW_BYTES, Ssd0323, Ssd0323Error};
@@ -10,21 +10,24 @@ use crate::ssd0323::{COLUMNS, ROW_BYTES, Ssd0323, Ssd0323Error};
 /// Shows each 2 x 2 box of the frame as one grey pixel of an [`Ssd0323`].
 ///
 /// A panel pixel is the mean of the four luminances (Rec. 709) in linear light,
-/// which [`grey16`] turns into one of 16 levels by a gamma and an ordered dither.
+/// which [`grey16`] turns into one of 16 levels by a gamma and an ordered dither,
+/// or [`grey16_nearest`] without one.
 /// Of a frame larger than 256 x 128 the top left part is shown; the last row or
 /// column of an odd size is not, having no partner.
 pub struct Greys<SPI, DC> {
     display: Ssd0323<SPI, DC>,
+    dither: bool,
     /// For each panel column, the sum of the luminances that have come: at most
     /// 4 of them, of 25 bits each.
     sums: [u32; COLUMNS],
 }
 
 impl<SPI: SpiDevice, DC: OutputPin> Greys<SPI, DC> {
-    /// Shows frames on `display`, which must be on.
-    pub fn new(display: Ssd0323<SPI, DC>) -> Self {
+    /// Shows frames on `display`, which must be on, dithered or not.
+    pub fn new(display: Ssd0323<SPI, DC>, dither: bool) -> Self {
         Self {
             display,
+            dither,
             sums: [0; COLUMNS],
         }
     }
@@ -45,7 +48,10 @@ impl<SPI: SpiDevice, DC: OutputPin> Panel for Greys<SPI, DC> {
             return Ok(());
         }
         let row = y / 2;
-        let level = |column: usize| grey16(self.sums[column] / 4, column, row);
+        let level = |column: usize| match (self.sums[column] / 4, self.dither) {
+            (mean, true) => grey16(mean, column, row),
+            (mean, false) => grey16_nearest(mean),
+        };
         let bytes: [u8; ROW_BYTES] =
             core::array::from_fn(|pair| level(2 * pair) << 4 | level(2 * pair + 1));
         self.sums = [0; COLUMNS];

@@ -10,6 +10,8 @@ pub trait Scene {
     const ARITHMETIC: &'static str;
     /// Factor that all light was scaled by; finite.
     const EXPOSURE: f64;
+    /// Whether displays of few levels dither.
+    const DITHER: bool;
     /// Pixels in a row, at least 1.
     const WIDTH: u16;
     /// Rows, at least 1.

@@ -108,11 +108,14 @@ pub struct Render {
     #[arg(long, default_value = "q31")]
     pub arithmetic: String,
     /// PNG to write, 8-bit sRGB.
-    #[arg(short, long, required_unless_present = "panel")]
+    #[arg(short, long, required_unless_present_any = ["panel", "rgb565"])]
     pub output: Option<PathBuf>,
     /// PNG to write of the 128 x 64 grey panel as the emulator shows it.
     #[arg(long)]
     pub panel: Option<PathBuf>,
+    /// PNG to write of what a display of 65 536 colours shows.
+    #[arg(long)]
+    pub rgb565: Option<PathBuf>,
 }
 
 /// `compare`.

@@ -1,6 +1,6 @@
 //! Pictures as the core computes them.
 
-use microbrdf::shade::Linear;
+use microbrdf::shade::{Linear, grey16, grey16_nearest};
 use microbrdf_scene::{Description, HostArithmetic, SceneParts};
 use rayon::prelude::*;
 
@@ -23,6 +23,8 @@ pub struct Frame {
     pub height: usize,
     /// Pixels from the top left.
     pub pixels: Vec<Linear>,
+    /// Whether displays of few levels dither.
+    pub dither: bool,
 }
 
 /// Shades the scene in an arithmetic.
@@ -51,6 +53,7 @@ fn shade<A: HostArithmetic>(description: &Description) -> Outcome<Frame> {
         width,
         height,
         pixels,
+        dither: description.dither,
     })
 }
 
@@ -61,6 +64,32 @@ impl Frame {
             width: self.width,
             height: self.height,
             pixels: self.pixels.iter().map(|pixel| pixel.srgb8()).collect(),
+        }
+    }
+
+    /// Pixels as a display of 65 536 colours is sent them.
+    pub fn rgb565(&self) -> impl Iterator<Item = u16> + '_ {
+        self.pixels.iter().enumerate().map(|(i, pixel)| {
+            if self.dither {
+                pixel.rgb565_dithered(i % self.width, i / self.width)
+            } else {
+                pixel.rgb565()
+            }
+        })
+    }
+
+    /// The picture as such a display shows it: each channel the nearest 8-bit
+    /// code, as the receiver takes it.
+    pub fn rgb565_shown(&self) -> Picture {
+        let shown = |packed: u16| {
+            let (r, g, b) = (packed >> 11, (packed >> 5) & 63, packed & 31);
+            [(r, 31), (g, 63), (b, 31)]
+                .map(|(bits, levels)| ((2 * u32::from(bits) * 255 + levels) / (2 * levels)) as u8)
+        };
+        Picture {
+            width: self.width,
+            height: self.height,
+            pixels: self.rgb565().map(shown).collect(),
         }
     }
 
@@ -79,7 +108,12 @@ impl Frame {
             };
             let mean = (light(0, 0) + light(1, 0) + light(0, 1) + light(1, 1)) / 4;
             // The levels are shown 17 codes apart.
-            [17 * microbrdf::shade::grey16(mean, x, y); 3]
+            let level = if self.dither {
+                grey16(mean, x, y)
+            } else {
+                grey16_nearest(mean)
+            };
+            [17 * level; 3]
         });
         Picture {
             width,

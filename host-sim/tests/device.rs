@@ -139,11 +139,10 @@ fn rgb565_and_several_frames() {
         "--rgb565",
     ]);
     let mut stream = connect(&mut device);
-    let expected: Vec<u8> = frame(ArithmeticName::Q31)
-        .pixels
-        .iter()
-        .flat_map(|pixel| pixel.rgb565().to_le_bytes())
-        .collect();
+    let frame = frame(ArithmeticName::Q31);
+    let expected: Vec<u8> = frame.rgb565().flat_map(u16::to_le_bytes).collect();
+    let nearest = frame.pixels.iter().map(|pixel| pixel.rgb565());
+    assert!(!frame.rgb565().eq(nearest), "it is not dithered");
     for number in 0..3 {
         let received = receive(&mut stream);
         assert_eq!(received.number, number);

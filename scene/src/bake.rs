@@ -14,7 +14,7 @@ use crate::material::Material;
 use crate::prepare::{Prepared, PreparedCoat, PreparedPart};
 
 /// Writes the module that firmware includes: the constants `NAME`,
-/// `ARITHMETIC`, `WIDTH`, `HEIGHT` and `EXPOSURE`, and the function
+/// `ARITHMETIC`, `WIDTH`, `HEIGHT`, `EXPOSURE` and `DITHER`, and the function
 /// `shade_row`.
 ///
 /// # Errors
@@ -72,13 +72,16 @@ fn head<A: HostArithmetic>(code: &mut String, description: &Description) {
          /// Rows.\n\
          pub const HEIGHT: usize = {};\n\
          /// What radiance is multiplied by.\n\
-         pub const EXPOSURE: f64 = {:?};\n\n",
+         pub const EXPOSURE: f64 = {:?};\n\
+         /// Whether displays of few levels dither.\n\
+         pub const DITHER: bool = {};\n\n",
         A::TYPE,
         description.name,
         A::NAME,
         camera.width,
         camera.height,
         description.exposure,
+        description.dither,
     );
 }
 

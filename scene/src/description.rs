@@ -27,6 +27,8 @@ pub struct Description {
     pub background: [f64; 3],
     /// What radiance is multiplied by.
     pub exposure: f64,
+    /// Whether displays of few levels dither.
+    pub dither: bool,
     /// The materials that an object uses, in the order of their names.
     pub materials: Vec<(String, Material)>,
 }
@@ -189,9 +191,14 @@ impl Description {
         };
         let exposure = table.optional("exposure");
         let by_grey = exposure.as_ref().filter(|value| value.is("auto"));
+        let dither = match table.optional("dither") {
+            Some(dither) => dither.boolean()?,
+            None => true,
+        };
         table.finish()?;
         let mut scene = Self {
             name,
+            dither,
             camera,
             spheres,
             planes,

@@ -237,6 +237,13 @@ impl<'t, 'i> Value<'t, 'i> {
         }
     }
 
+    pub(crate) fn boolean(&self) -> Result<bool, Fault> {
+        match self.value {
+            DeValue::Boolean(value) => Ok(*value),
+            _ => Err(self.fault("true or false")),
+        }
+    }
+
     /// A finite number in a range.
     pub(crate) fn number(&self, range: RangeInclusive<f64>) -> Result<f64, Fault> {
         let number = match self.value {

@@ -4,6 +4,7 @@
 pub mod arithmetic;
 pub mod baked;
 pub mod curves;
+pub mod dither;
 pub mod document;
 pub mod domain;
 pub mod energy;

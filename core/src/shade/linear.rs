@@ -1,5 +1,6 @@
 //! What a pixel holds before it is encoded.
 
+use super::dither::{level, threshold};
 use super::srgb::srgb8;
 
 /// 1.0 in the components of [`Linear`].
@@ -51,6 +52,19 @@ impl Linear {
         let five = |code: u16| (code * 249 + 1014) >> 11;
         let six = |code: u16| ((u32::from(code) * 253 + 505) >> 10) as u16;
         five(r) << 11 | six(g) << 5 | five(b)
+    }
+
+    /// RGB565 of the pixel at (`x`, `y`), each channel the level below or above
+    /// its 8-bit sRGB code, by a 4 x 4 ordered dither that is fixed to the
+    /// screen and the same for all channels: over a cell, levels average to
+    /// the code within a thirty-second of their distance.
+    #[must_use]
+    #[inline]
+    pub fn rgb565_dithered(self, x: usize, y: usize) -> u16 {
+        let [r, g, b] = self.srgb8();
+        let threshold = threshold(x, y);
+        (level(r, 31, threshold) << 11 | level(g, 63, threshold) << 5 | level(b, 31, threshold))
+            as u16
     }
 
     /// Relative luminance with 24 fraction bits: 0.2126 R + 0.7152 G +

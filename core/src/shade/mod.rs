@@ -2,6 +2,7 @@
 
 mod camera;
 mod checker;
+mod dither;
 mod grey;
 mod light;
 mod linear;
@@ -23,7 +24,7 @@ mod tracing_q31;
 
 pub use camera::Camera;
 pub use checker::Checker;
-pub use grey::grey16;
+pub use grey::{grey16, grey16_nearest};
 pub use light::{Beam, Dimmed, FloodLight, Light, PointLight};
 pub use linear::{LINEAR_ONE, Linear};
 pub use placing::Placing;

@@ -116,7 +116,7 @@ fn assert_frame_is_whole(sent: &[u8]) {
     for y in 0..usize::from(HEIGHT) {
         for x in 0..usize::from(WIDTH) {
             let light = Stripes::<WIDTH, HEIGHT>::light(x, y);
-            encode_pixel(FORMAT, light, &mut expected);
+            encode_pixel(FORMAT, None, light, &mut expected);
         }
     }
 

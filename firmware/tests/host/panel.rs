@@ -13,7 +13,7 @@ fn started() -> (FakePanel, Ssd0323<FakePanel, FakePanel>) {
 
 fn show<const W: u16, const H: u16>() -> FakePanel {
     let (panel, display) = started();
-    let mut greys = Greys::new(display);
+    let mut greys = Greys::new(display, true);
     let scene = Stripes::<W, H>::instant();
     for y in 0..usize::from(H) {
         scene.shade_row(y, |x, light| greys.pixel(x, light));

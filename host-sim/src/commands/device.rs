@@ -112,6 +112,7 @@ impl<'a> Sender<'a> {
             width,
             height,
             pixels,
+            ..
         } = &self.frame;
         let format = if self.arguments.rgb565 {
             PixelFormat::Rgb565
@@ -128,10 +129,16 @@ impl<'a> Sender<'a> {
             ..Header::new(*width as u16, *height as u16, format)
         };
         let mut writer = FrameWriter::begin(sink, &header)?;
-        for pixel in pixels {
-            match format {
-                PixelFormat::Srgb8 => writer.pixels(&pixel.srgb8())?,
-                PixelFormat::Rgb565 => writer.pixels(&pixel.rgb565().to_le_bytes())?,
+        match format {
+            PixelFormat::Srgb8 => {
+                for pixel in pixels {
+                    writer.pixels(&pixel.srgb8())?;
+                }
+            }
+            PixelFormat::Rgb565 => {
+                for packed in self.frame.rgb565() {
+                    writer.pixels(&packed.to_le_bytes())?;
+                }
             }
         }
         writer.end()?;

@@ -17,14 +17,18 @@ pub fn run(arguments: &Render) -> Outcome<()> {
             if let Some(panel) = &arguments.panel {
                 frame.panel().write_png(panel)?;
             }
+            if let Some(output) = &arguments.rgb565 {
+                frame.rgb565_shown().write_png(output)?;
+            }
             if let Some(output) = &arguments.output {
                 frame.srgb().write_png(output)?;
             }
         }
         Computed::Reference => {
-            if arguments.panel.is_some() {
+            if arguments.panel.is_some() || arguments.rgb565.is_some() {
                 return Err(Failure::Usage(
-                    "--panel: shows an arithmetic of the core, not the reference".to_owned(),
+                    "--panel and --rgb565: show an arithmetic of the core, not the reference"
+                        .to_owned(),
                 ));
             }
             if let Some(output) = &arguments.output {

@@ -1,7 +1,7 @@
 //! Single steps: dot products, and the encoding of one channel.
 
 use microbrdf::arithmetic::Arithmetic;
-use microbrdf::shade::{srgb8, srgb8_quick};
+use microbrdf::shade::{Linear, grey16, grey16_nearest, srgb8, srgb8_quick};
 
 use crate::call::Light;
 #[cfg(not(target_os = "none"))]
@@ -19,6 +19,40 @@ pub extern "C" fn srgb(linear: u32) -> u32 {
 #[unsafe(export_name = "srgb8_quick")]
 pub extern "C" fn srgb_quick(linear: u32) -> u32 {
     u32::from(srgb8_quick(linear))
+}
+
+/// A grey pixel to RGB565.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "rgb565")]
+pub extern "C" fn packed(linear: u32) -> u32 {
+    u32::from(Linear::from_raw(linear, linear, linear).rgb565())
+}
+
+/// The same dithered, at a place that the light's lowest bits stand for.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "rgb565_dithered")]
+pub extern "C" fn packed_dithered(linear: u32) -> u32 {
+    let (x, y) = place(linear);
+    u32::from(Linear::from_raw(linear, linear, linear).rgb565_dithered(x, y))
+}
+
+/// A luminance to one of 16 greys.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "grey16_nearest")]
+pub extern "C" fn grey(linear: u32) -> u32 {
+    u32::from(grey16_nearest(linear))
+}
+
+/// The same dithered.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "grey16")]
+pub extern "C" fn grey_dithered(linear: u32) -> u32 {
+    let (x, y) = place(linear);
+    u32::from(grey16(linear, x, y))
+}
+
+fn place(linear: u32) -> (usize, usize) {
+    ((linear & 3) as usize, ((linear >> 2) & 3) as usize)
 }
 
 /// N·L, N·V and L·V.
@@ -61,6 +95,28 @@ pub(crate) const KERNELS: &[Kernel] = &[
         "core, one look-up",
         "srgb8",
         Call::Number(srgb_quick),
+    ),
+    step("rgb565", "integer", "core", "rgb565", Call::Number(packed)),
+    step(
+        "rgb565_dithered",
+        "integer",
+        "core, dithered",
+        "rgb565",
+        Call::Number(packed_dithered),
+    ),
+    step(
+        "grey16_nearest",
+        "integer",
+        "core",
+        "grey16",
+        Call::Number(grey),
+    ),
+    step(
+        "grey16",
+        "integer",
+        "core, dithered",
+        "grey16",
+        Call::Number(grey_dithered),
     ),
     step("f32_dots", "f32", "core", DOTS, Call::World(f32::dots)),
     step("q31_dots", "q31", "core", DOTS, Call::World(q31::dots)),

@@ -1,10 +1,14 @@
-//! Writes `docs/accuracy.md` and `docs/energy.md`.
+//! Writes `docs/accuracy.md`, `docs/dither.md` and `docs/energy.md`.
 
 fn main() -> std::io::Result<()> {
     let folder = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs"));
     std::fs::write(
         folder.join("accuracy.md"),
         microbrdf_tests::document::accuracy(),
+    )?;
+    std::fs::write(
+        folder.join("dither.md"),
+        microbrdf_tests::dither::document(),
     )?;
     std::fs::write(
         folder.join("energy.md"),

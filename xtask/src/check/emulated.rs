@@ -138,6 +138,19 @@ fn with_options(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
             received.report["pixel_format"]
         ));
     }
+    let predicted = out.join("rgb565.png");
+    host.run([
+        "render".as_ref(),
+        order.scene.as_os_str(),
+        "--arithmetic".as_ref(),
+        order.arithmetic.as_ref(),
+        "--rgb565".as_ref(),
+        predicted.as_os_str(),
+    ])?;
+    let picture = Picture::read_png(&reception.picture)?;
+    if picture.differing(&Picture::read_png(&predicted)?) != Some(0) {
+        faults.push("the picture differs from the host's in RGB565".into());
+    }
     if fs::metadata(out.join("defmt.bin")).map_or(0, |file| file.len()) == 0 {
         faults.push("no log came".into());
     }

@@ -18,6 +18,7 @@ use microbrdf_firmware::{Greys, Ssd0323};
 
 pub use uart::Uart;
 
+use crate::baked::DITHER;
 use gpio::{Output, Port};
 use ssi::Ssi;
 
@@ -47,5 +48,5 @@ pub fn start() -> (Uart, Panel) {
     let data_or_command = Output::new(Port::C, gpio::DATA_OR_COMMAND);
 
     let Ok(display) = Ssd0323::start(Ssi::start(), data_or_command, &mut delay);
-    (Uart::start(), Greys::new(display))
+    (Uart::start(), Greys::new(display, DITHER))
 }

@@ -59,6 +59,7 @@ impl<const W: u16, const H: u16> Scene for Stripes<'_, '_, W, H> {
     const NAME: &'static str = "stripes";
     const ARITHMETIC: &'static str = "none";
     const EXPOSURE: f64 = 0.75;
+    const DITHER: bool = true;
     const WIDTH: u16 = W;
     const HEIGHT: u16 = H;
 
