@@ -1,6 +1,6 @@
 //! The sRGB encoder, for every input.
 
-use microbrdf::shade::{LINEAR_ONE, Linear, srgb8, srgb8_bisected, srgb8_quick};
+use microbrdf::shade::{LINEAR_ONE, Linear, Palette565, srgb8, srgb8_bisected, srgb8_quick};
 
 /// IEC 61966-2-1, code as a real number.
 fn encoded(linear: f64) -> f64 {
@@ -64,6 +64,30 @@ fn rgb565_takes_the_nearest_level() {
         assert_eq!(f64::from(green), (code * 63.0 / 255.0).round());
         assert_eq!(blue, red);
     }
+}
+
+#[test]
+fn a_palette_is_at_most_a_level_off() {
+    let tint = [LINEAR_ONE, LINEAR_ONE / 2, LINEAR_ONE / 20];
+    let palette = Palette565::new(tint);
+    let mut off = 0;
+    for light in (0..=LINEAR_ONE).step_by(7) {
+        let packed = palette.at(light);
+        let levels = [packed >> 11, (packed >> 5) & 63, packed & 31];
+        for ((level, tint), greatest) in levels.into_iter().zip(tint).zip([31.0, 63.0, 31.0]) {
+            let linear =
+                f64::from(light) / f64::from(LINEAR_ONE) * f64::from(tint) / f64::from(LINEAR_ONE);
+            let exact = (encoded(linear) * greatest / 255.0).round();
+            let error = (f64::from(level) - exact).abs();
+            assert!(error <= 1.0, "light {light}: {level} for {exact}");
+            off += u32::from(error == 1.0);
+        }
+    }
+    // It is coarse: no test of an exact encoder.
+    assert!(off > 100_000, "{off}");
+    assert_eq!(palette.at(0), 0);
+    assert_eq!(palette.at(u32::MAX), palette.at(LINEAR_ONE));
+    assert_eq!(Palette565::new([u32::MAX; 3]).at(LINEAR_ONE), 0xFFFF);
 }
 
 #[test]

@@ -38,20 +38,17 @@ impl Linear {
     /// 8-bit sRGB, exactly rounded ([`srgb8`]).
     #[must_use]
     #[inline]
-    pub fn srgb8(self) -> [u8; 3] {
-        self.to_raw().map(srgb8)
+    pub const fn srgb8(self) -> [u8; 3] {
+        [srgb8(self.r), srgb8(self.g), srgb8(self.b)]
     }
 
     /// RGB565, each channel the nearest of its 32 or 64 sRGB levels to the
     /// 8-bit code: at most half a level from it.
     #[must_use]
     #[inline]
-    pub fn rgb565(self) -> u16 {
-        let [r, g, b] = self.srgb8().map(u16::from);
-        // round(c · 31/255) and round(c · 63/255), by a multiply and a shift.
-        let five = |code: u16| (code * 249 + 1014) >> 11;
-        let six = |code: u16| ((u32::from(code) * 253 + 505) >> 10) as u16;
-        five(r) << 11 | six(g) << 5 | five(b)
+    pub const fn rgb565(self) -> u16 {
+        let [r, g, b] = self.srgb8();
+        five_bits(r) << 11 | six_bits(g) << 5 | five_bits(b)
     }
 
     /// RGB565 of the pixel at (`x`, `y`), each channel the level below or above
@@ -74,6 +71,18 @@ impl Linear {
     pub const fn luminance(self) -> u32 {
         weigh(self.r, 13_933) + weigh(self.g, 46_871) + weigh(self.b, 4_732)
     }
+}
+
+/// round(code · 31/255), by a multiply and a shift.
+#[inline]
+const fn five_bits(code: u8) -> u16 {
+    (code as u16 * 249 + 1014) >> 11
+}
+
+/// round(code · 63/255).
+#[inline]
+const fn six_bits(code: u8) -> u16 {
+    ((code as u32 * 253 + 505) >> 10) as u16
 }
 
 #[inline]

@@ -27,7 +27,7 @@ static STARTS: [u8; CELLS] = starts();
 /// the feature `small` it is [`srgb8_bisected`].
 #[inline]
 #[must_use]
-pub fn srgb8(linear: u32) -> u8 {
+pub const fn srgb8(linear: u32) -> u8 {
     if cfg!(feature = "small") {
         return srgb8_bisected(linear);
     }
@@ -38,29 +38,30 @@ pub fn srgb8(linear: u32) -> u8 {
     } else {
         (linear >> (LINEAR_BITS - 8)) + (DARK_CELLS + MIDDLE_CELLS - 64) as u32
     };
-    let Some(&start) = STARTS.get(cell as usize) else {
+    if cell as usize >= CELLS {
         return 255;
-    };
+    }
+    let start = STARTS[cell as usize];
     // A threshold at the left end is already counted in `start`, so `start`
     // is 255 only where no threshold follows.
-    start + u8::from(linear >= THRESHOLDS[usize::from(start)])
+    start + (linear >= THRESHOLDS[start as usize]) as u8
 }
 
 /// As [`srgb8`], with eight comparisons in place of two: 1024 bytes of tables.
 /// Every input is tested in `tests/tests/srgb.rs`.
 #[inline]
 #[must_use]
-pub fn srgb8_bisected(linear: u32) -> u8 {
-    let mut code = 0;
+pub const fn srgb8_bisected(linear: u32) -> u8 {
+    let mut code: u8 = 0;
     let mut step = 128;
     while step > 0 {
-        let passed = THRESHOLDS.get(code + step - 1);
-        if passed.is_some_and(|threshold| linear >= *threshold) {
-            code += step;
+        let middle = code | step;
+        if linear >= THRESHOLDS[(middle - 1) as usize] {
+            code = middle;
         }
         step /= 2;
     }
-    code as u8
+    code
 }
 
 /// ((v + 0.055)/1.055)^2.4 or v/12.92 for v = (2 code + 1)/510, rounded up to

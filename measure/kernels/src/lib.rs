@@ -16,6 +16,7 @@ mod call;
 mod gold;
 mod models;
 pub mod plain;
+pub mod sphere;
 mod steps;
 pub mod ways;
 
@@ -27,15 +28,19 @@ pub use registry::kernels;
 #[cfg(not(target_os = "none"))]
 mod registry {
     use crate::call::Kernel;
-    use crate::{models, plain, steps};
+    use crate::{models, plain, sphere, steps};
 
     /// Every kernel.
     pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
-        [models::KERNELS, plain::KERNELS, &[steps::KERNELS]]
-            .into_iter()
-            .flatten()
-            .copied()
-            .flatten()
+        [
+            models::KERNELS,
+            plain::KERNELS,
+            &[steps::KERNELS, sphere::KERNELS],
+        ]
+        .into_iter()
+        .flatten()
+        .copied()
+        .flatten()
     }
 }
 

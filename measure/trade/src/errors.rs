@@ -124,7 +124,7 @@ fn over(subject: &Subject, name: &str, pairs: &[Pair]) -> Errors {
 }
 
 /// Errors, being counted.
-struct Tally {
+pub(crate) struct Tally {
     errors: Errors,
     counted: u32,
     one: u32,
@@ -132,7 +132,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn new(samples: &str) -> Self {
+    pub(crate) fn new(samples: &str) -> Self {
         let errors = Errors {
             samples: samples.to_owned(),
             ..Errors::default()
@@ -146,19 +146,24 @@ impl Tally {
     }
 
     fn add(&mut self, code: u8, exact: f64) {
+        self.add_level(code, exact, u8::MAX);
+    }
+
+    /// A level of a display that has them up to `greatest`.
+    pub(crate) fn add_level(&mut self, code: u8, exact: f64, greatest: u8) {
         let errors = &mut self.errors;
         let rounded = exact.round() as u8;
         errors.lsb_error_max = errors.lsb_error_max.max((f64::from(code) - exact).abs());
         let steps = code.abs_diff(rounded);
         errors.code_error_max = errors.code_error_max.max(steps);
-        if (1..=254).contains(&rounded) {
+        if (1..greatest).contains(&rounded) {
             self.counted += 1;
             self.one += u32::from(steps == 1);
             self.more += u32::from(steps > 1);
         }
     }
 
-    fn errors(self) -> Errors {
+    pub(crate) fn errors(self) -> Errors {
         let counted = f64::from(self.counted.max(1));
         Errors {
             code_error_share: f64::from(self.one) / counted,

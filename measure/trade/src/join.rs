@@ -65,7 +65,12 @@ fn row(kernel: &Kernel, counted: &Counted, core: &str, compiler: &str) -> Row {
         variant: kernel.variant.to_owned(),
         core: core.to_owned(),
         exposure: kernel.exposure.to_owned(),
-        encoding: "srgb".to_owned(),
+        encoding: if kernel.model == "sphere" {
+            "rgb565"
+        } else {
+            "srgb"
+        }
+        .to_owned(),
         samples: "lobe".to_owned(),
         cycles_mean: group("lobe").unwrap_or_default(),
         cycles_worst: cycles.values().flatten().copied().max().unwrap_or_default(),

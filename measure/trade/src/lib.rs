@@ -10,4 +10,5 @@ pub mod join;
 pub mod plot;
 pub mod row;
 pub mod samples;
+pub mod sphere;
 pub mod subject;

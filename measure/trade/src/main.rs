@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use microbrdf_kernels::kernels;
 use microbrdf_trade::row::{self, Row};
 use microbrdf_trade::subject::Subject;
-use microbrdf_trade::{budget, check, curve, document, errors, join, plot, samples};
+use microbrdf_trade::{budget, check, curve, document, errors, join, plot, samples, sphere};
 
 /// What the kernels get wrong, what an emulated core is to call, and the
 /// tables of both.
@@ -136,6 +136,7 @@ fn run(command: Command) -> Result<()> {
                     let errors = match Subject::new(kernel) {
                         Some(subject) => errors::measure(&subject),
                         None if kernel.model == "srgb8" => vec![errors::encoding(kernel)],
+                        None if kernel.model == "sphere" => vec![sphere::measure(kernel)],
                         None => Vec::new(),
                     };
                     (kernel.name, errors)

@@ -5,6 +5,7 @@ use microbrdf_tests::domain::Set;
 use serde::Serialize;
 
 use crate::errors::Samples;
+use crate::sphere::{self, Place};
 use crate::subject::Subject;
 
 /// Where a kernel's arguments lie in an emulated core's RAM.
@@ -60,6 +61,7 @@ pub fn of(kernel: &'static Kernel, count: usize) -> Calls {
     let groups = match Subject::new(kernel) {
         Some(subject) => model(&subject, count),
         None if kernel.takes_normal() => directions(kernel, count),
+        None if kernel.model == "sphere" => sphere(kernel, count),
         None => numbers(kernel, count),
     };
     Calls {
@@ -114,6 +116,21 @@ fn directions(kernel: &Kernel, count: usize) -> Vec<Group> {
         .map(|subject| subject.inputs(&Set::Random.pairs(1.0, 1.0, count)))
         .unwrap_or_default();
     vec![group(kernel, "lobe", &inputs)]
+}
+
+/// Pixels of a sphere, evenly over what each group has.
+fn sphere(kernel: &Kernel, count: usize) -> Vec<Group> {
+    [
+        ("lobe", Place::Lobe, count),
+        ("beyond", Place::Beyond, count / 4),
+        ("unlit", Place::Unlit, count / 4),
+    ]
+    .into_iter()
+    .map(|(kind, place, count)| {
+        let points = sphere::points(kernel, place);
+        group(kernel, kind, &sphere::some(&points, count))
+    })
+    .collect()
 }
 
 /// Linear light, evenly over the codes that it becomes.

@@ -60,7 +60,7 @@ impl Subject {
     /// If the kernel's fields are no material.
     #[must_use]
     pub fn new(kernel: &'static Kernel) -> Option<Self> {
-        if kernel.fields.is_empty() {
+        if kernel.fields.is_empty() || kernel.model == "sphere" {
             return None;
         }
         let toml = format!("model = \"{}\", {}", kernel.model, kernel.fields);
@@ -123,7 +123,7 @@ impl Subject {
 }
 
 /// L and V in a shading frame whose third axis is N.
-fn in_frame(n: [f64; 3], l: [f64; 3], v: [f64; 3]) -> Pair {
+pub(crate) fn in_frame(n: [f64; 3], l: [f64; 3], v: [f64; 3]) -> Pair {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let unit = |a: [f64; 3]| a.map(|c| c / dot(a, a).sqrt());
     let cross = |a: [f64; 3], b: [f64; 3]| {

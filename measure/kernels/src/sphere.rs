@@ -1,0 +1,79 @@
+//! A whole pixel: where it is on a sphere that is seen from afar, to the
+//! display's own code.
+
+use fixed::types::I2F14;
+use microbrdf::arithmetic::{Arithmetic, Q15};
+use microbrdf::brdf::{Brdf, MetallicPhong};
+use microbrdf::constant;
+use microbrdf::geometry::{Direction, World};
+use microbrdf::shade::{LINEAR_ONE, Palette565};
+use microbrdf::{Rgb, arithmetic::Gain15};
+
+#[cfg(not(target_os = "none"))]
+use crate::call::{Call, Kernel};
+use crate::ways::q15::{gain, number};
+
+/// The light's direction, 14 fraction bits.
+pub const LIGHT: [i16; 3] = [-6000, 8000, 12_978];
+/// The light's colour on the metal, linear with 24 fraction bits.
+pub const TINT: [u32; 3] = [LINEAR_ONE, LINEAR_ONE / 4 * 3, LINEAR_ONE / 3];
+
+static PALETTE: Palette565 = Palette565::new(TINT);
+
+type A = Q15;
+
+/// A point of the picture plane in two halves of a word, 14 fraction bits of
+/// the radius each, x in the lower; black beside the sphere.
+#[inline(always)]
+fn pixel(model: &MetallicPhong<A>, point: u32) -> u32 {
+    const GAIN: Rgb<Gain15> = Rgb::grey(gain(1.0));
+    let direction = |[x, y, z]: [i16; 3]| {
+        Direction::new(
+            I2F14::from_bits(x),
+            I2F14::from_bits(y),
+            I2F14::from_bits(z),
+        )
+    };
+    let half = |bits: u32| I2F14::from_bits(bits as u16 as i16);
+    let Some(normal) = Direction::<A>::upon_sphere(half(point), half(point >> 16)) else {
+        return 0;
+    };
+    let frame = World::new(normal, direction(LIGHT), direction([0, 0, 1 << 14]));
+    let [light, ..] = A::linear(model.shade(&GAIN, &frame)).to_raw();
+    u32::from(PALETTE.at(light))
+}
+
+macro_rules! spheres {
+    ($($function:ident $symbol:literal $model:ident $n:literal $fields:literal)+) => {
+        $(
+            static $model: MetallicPhong<A> = constant!(MetallicPhong::<A>::new(number($n)));
+
+            #[doc = $symbol]
+            #[allow(unsafe_code)]
+            #[unsafe(export_name = $symbol)]
+            pub extern "C" fn $function(point: u32) -> u32 {
+                pixel(&$model, point)
+            }
+        )+
+
+        /// What they are.
+        #[cfg(not(target_os = "none"))]
+        pub(crate) const KERNELS: &[Kernel] = &[$(Kernel {
+            name: $symbol,
+            arithmetic: "q15",
+            variant: "core, 129 knots, palette",
+            model: "sphere",
+            fields: $fields,
+            width: $n,
+            exposure: "1",
+            k: 1.0,
+            call: Call::Number($function),
+        }),+];
+    };
+}
+
+spheres! {
+    sphere_20 "q15_sphere_20" N_20 20.0 "exponent = 20"
+    sphere_500 "q15_sphere_500" N_500 500.0 "exponent = 500"
+    sphere_5000 "q15_sphere_5000" N_5000 5000.0 "exponent = 5000"
+}
