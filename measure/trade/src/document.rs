@@ -36,12 +36,14 @@ const HEAD: &str = "# Error against cost
 
 Made by `cargo xtask measure`; `cargo xtask test` fails when it is out of date.
 
-What is measured: one light, reflected radiance as exposed linear light with 24 fraction bits, which every display's encoding starts from; material and gain constants in flash; the call included, what prepares its arguments left out. Directions go in as the arithmetic holds them, behind pointers. Each kernel is linked alone: its bytes are those of the function, all that it calls, and its constants.
+What is measured: one light, reflected radiance as exposed linear light with 24 fraction bits, which every display's encoding starts from; material and gain constants in flash; the call included, what prepares its arguments left out. Directions go in as the arithmetic holds them, behind pointers, those of 16 bits by value. Each kernel is linked alone: its bytes are those of the function, all that it calls, and its constants.
 
 * **Cycles** are the mean over directions within the lobe whose larger cosine is at least 1e-3 (both cosines in world space), in brackets the most of any call: beside the lobe also at the mirror direction, at grazing, anywhere above the horizon and below it. 64 calls in the mean and 48 others for fixed point, 16 and 16 where floats are emulated. Every result was compared, bit by bit, with the host's.
 * Cycles on Cortex-M are **estimates**: executed instructions weighed with Arm's published timings at zero wait states ([measure/counter](../measure/counter/README.md) says what is modelled). M0 and M0+ have the single-cycle multiplier; with the 32-cycle one in the second table. Those of M0+ have a second source, rp2040js, an emulator of the RP2040: `cargo xtask test --only \"second source\"` runs every kernel in both, and each instruction takes the same cycles but for a PUSH of LR, which rp2040js leaves uncounted. Those of M0, M3 and M4F have none.
 * Cycles on RV32IMC are **exact**: those of Ibex, simulated from its RTL, with a single-cycle multiplier, the branch-target ALU, the write-back stage and a memory that answers in the next cycle.
 * **Error** is the arithmetic error of the displayed 8-bit sRGB code in LSB (see [conventions.md](conventions.md)), 0.50 being perfect rounding: the greatest over 2000 pairs within the lobe (cosines down to 1e-8), and the greatest over these and four further sets, at the mirror direction, at grazing, anywhere, and outside. In world space it is over pairs whose cosines are at least 1e-3, and outside. Then the share of codes within the lobe that are off by one, and by more.
+* The pixels of a sphere are graded in levels of RGB565, over every pixel of a sphere of 200.
+* What kernels were to cost, and where their cycles go, is in [goals.md](goals.md).
 * K = 1 puts the peak at full scale; K = c is unit irradiance on the model's own peak.
 ";
 

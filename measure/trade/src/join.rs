@@ -6,6 +6,7 @@ use microbrdf_kernels::{Kernel, kernels};
 use serde::Deserialize;
 
 use crate::errors::Errors;
+use crate::goals::{self, Instruction, Listings};
 use crate::row::Row;
 
 /// The name under which a counter reports the slow multiplier of a core.
@@ -24,6 +25,21 @@ pub struct Counted {
     instructions: BTreeMap<String, Vec<u64>>,
     clock_models: BTreeMap<String, String>,
     cycles: BTreeMap<String, BTreeMap<String, Vec<u64>>>,
+    #[serde(default)]
+    listing: Vec<Instruction>,
+}
+
+/// The listings of kernels that have goals.
+#[must_use]
+pub fn listings(counted: &[Counted]) -> Listings {
+    let mut listings = Listings::new();
+    for counted in counted {
+        if goals::is_listed(&counted.kernel) && !counted.listing.is_empty() {
+            let of_targets = listings.entry(counted.kernel.clone()).or_default();
+            of_targets.push(counted.listing.clone());
+        }
+    }
+    listings
 }
 
 /// The rows of everything that was counted, in the order of the kernels; only

@@ -6,6 +6,7 @@ pub mod check;
 pub mod curve;
 pub mod document;
 pub mod errors;
+pub mod goals;
 pub mod join;
 pub mod plot;
 pub mod row;

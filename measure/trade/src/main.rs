@@ -9,6 +9,7 @@ use clap::{Parser, Subcommand};
 use rayon::prelude::*;
 
 use microbrdf_kernels::kernels;
+use microbrdf_trade::goals::{self, Listings};
 use microbrdf_trade::row::{self, Row};
 use microbrdf_trade::subject::Subject;
 use microbrdf_trade::{budget, check, curve, document, errors, join, plot, samples, sphere};
@@ -157,6 +158,7 @@ fn run(command: Command) -> Result<()> {
                 counted.extend(read::<Vec<_>>(path)?);
             }
             let rows = join::rows(&counted, &errors, core.as_deref(), &compiler);
+            write(&listings_beside(&output), &join::listings(&counted))?;
             put(&output, &row::json(&rows)?)
         }
         Command::Print { data } => {
@@ -168,13 +170,25 @@ fn run(command: Command) -> Result<()> {
             data,
             root,
             set_budgets,
-        } => publish(&shown(&data)?, &root, set_budgets),
-        Command::Check { data, root } => check_all(&shown(&data)?, &root),
+        } => publish(&shown(&data)?, &listings(&data)?, &root, set_budgets),
+        Command::Check { data, root } => check_all(&shown(&data)?, &listings(&data)?, &root),
     }
 }
 
 /// Where the kept figures lie.
 const KEPT: &str = "host-sim/data/trade.json";
+
+/// What kernels were to cost, and do.
+const GOALS: &str = "docs/goals.md";
+
+/// The file with listings that goes with one with rows.
+fn listings_beside(data: &Path) -> PathBuf {
+    data.with_file_name("listings.json")
+}
+
+fn listings(data: &Path) -> Result<Listings> {
+    read(&listings_beside(data))
+}
 
 /// The rows that documents show.
 fn shown(data: &Path) -> Result<Vec<Row>> {
@@ -183,10 +197,11 @@ fn shown(data: &Path) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-fn publish(rows: &[Row], root: &Path, set_budgets: bool) -> Result<()> {
+fn publish(rows: &[Row], listings: &Listings, root: &Path, set_budgets: bool) -> Result<()> {
     fs::create_dir_all(root.join("host-sim/data"))?;
     put(&root.join(KEPT), &row::json(rows)?)?;
     put(&root.join("docs/trade.md"), &document::markdown(rows))?;
+    put(&root.join(GOALS), &goals::markdown(rows, listings))?;
     for (core, _) in document::CORES {
         if rows.iter().any(|row| row.core == core) {
             let path = root.join("docs").join(plot::file(core));
@@ -199,7 +214,7 @@ fn publish(rows: &[Row], root: &Path, set_budgets: bool) -> Result<()> {
     Ok(())
 }
 
-fn check_all(rows: &[Row], root: &Path) -> Result<()> {
+fn check_all(rows: &[Row], listings: &Listings, root: &Path) -> Result<()> {
     let kept = row::read(&root.join(KEPT))?;
     let path = root.join("budgets.toml");
     let text = fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
@@ -210,6 +225,19 @@ fn check_all(rows: &[Row], root: &Path) -> Result<()> {
             println!("warning: {warning}");
         }
         faults.extend(found.faults);
+    }
+    // Another compiler's instructions are others.
+    let same = |row: &Row| {
+        kept.first()
+            .is_some_and(|kept| kept.compiler == row.compiler)
+    };
+    if rows.first().is_some_and(same) {
+        let path = root.join(GOALS);
+        let text =
+            fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))?;
+        if text != goals::markdown(rows, listings) {
+            faults.push(format!("{GOALS} is not what is measured"));
+        }
     }
     if faults.is_empty() {
         println!("{} rows agree with what is kept", rows.len());

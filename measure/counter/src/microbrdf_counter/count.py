@@ -12,14 +12,19 @@ from microbrdf_counter.timings import Timing
 
 def cycles(code: dict[int, Instruction], trace: Trace, timing: Timing) -> int:
     """Cycles of a call, the call itself included."""
-    total = timing.call
+    return timing.call + costs(code, trace, timing).total()
+
+
+def costs(code: dict[int, Instruction], trace: Trace, timing: Timing) -> Counter[int]:
+    """Cycles of each instruction of a call, by address."""
+    found: Counter[int] = Counter()
     for triple, times in Counter(_triples(trace.addresses)).items():
-        total += _step(code, timing, triple) * times
+        found[triple[1]] += _step(code, timing, triple) * times
     for (address, first, second), times in trace.operands.items():
         this = code[address]
         if timing.has_early(this):
-            total += timing.early(this, (first, second)) * times
-    return total
+            found[address] += timing.early(this, (first, second)) * times
+    return found
 
 
 def steps(code: dict[int, Instruction], trace: Trace, timing: Timing) -> list[int]:

@@ -6,7 +6,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from microbrdf_counter.count import classes, cycles
+from microbrdf_counter.count import classes, costs, cycles
 from microbrdf_counter.image import Image
 from microbrdf_counter.machine import Machine
 from microbrdf_counter.timings import TIMINGS
@@ -25,14 +25,16 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
     image = Image.read(path)
     machine = Machine(image, target)
     timings = TIMINGS[target]
-    costs: dict[str, dict[str, list[int]]] = {core: {} for core in timings}
+    of_calls: dict[str, dict[str, list[int]]] = {core: {} for core in timings}
     instructions: dict[str, list[int]] = {}
     kinds: Counter[str] = Counter()
+    executed: Counter[int] = Counter()
+    spent: dict[str, Counter[int]] = {core: Counter() for core in timings}
     stack = 0
     for group in calls["groups"]:
         name = group["kind"]
         instructions[name] = []
-        for of_core in costs.values():
+        for of_core in of_calls.values():
             of_core[name] = []
         for call in group["calls"]:
             wanted = call["results"]
@@ -47,8 +49,11 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
             instructions[name].append(len(trace.addresses))
             if name == "lobe":
                 kinds += classes(machine.code, trace)
+                executed.update(trace.addresses)
+                for core, timing in timings.items():
+                    spent[core].update(costs(machine.code, trace, timing))
             for core, timing in timings.items():
-                costs[core][name].append(cycles(machine.code, trace, timing))
+                of_calls[core][name].append(cycles(machine.code, trace, timing))
     total = max(1, len(instructions["lobe"]))
     return {
         "kernel": calls["kernel"],
@@ -60,5 +65,13 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
         "instructions": instructions,
         "kinds": {kind: times / total for kind, times in sorted(kinds.items())},
         "clock_models": {core: timing.clock_model for core, timing in timings.items()},
-        "cycles": costs,
+        "cycles": of_calls,
+        "listing": [
+            {
+                "text": machine.code[address].text,
+                "executed": executed[address] / total,
+                "cycles": {core: found[address] / total for core, found in spent.items()},
+            }
+            for address in sorted(machine.code)
+        ],
     }
