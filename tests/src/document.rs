@@ -32,6 +32,7 @@ pub fn accuracy() -> String {
          2e4 (n > 1e5, s > 350), `q31` shows the last of a share's 31 bits and `q15` that of a \
          table's 25.\n",
     );
+    text.push_str(&crate::grazing::section());
     steps(&mut text);
     text.push_str(
         "\n## Fresnel curves\n\n\

@@ -12,6 +12,7 @@ pub mod error;
 pub mod frame;
 pub mod fuzz;
 pub mod fuzz_scene;
+pub mod grazing;
 pub mod pictures;
 pub mod planted;
 pub mod registry;

@@ -5,9 +5,9 @@ use microbrdf_kernels::{Input, Kernel};
 use microbrdf_reference::models::{Energy, MetallicPhong};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
 use microbrdf_tests::domain::Pair;
+use microbrdf_tests::frame::in_frame;
 
 use crate::errors::{Errors, Tally};
-use crate::subject::in_frame;
 
 /// Steps of the picture plane's grid from the centre to the edge.
 const STEPS: i32 = 100;

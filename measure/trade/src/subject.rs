@@ -6,7 +6,7 @@ use microbrdf_kernels::{Input, Kernel};
 use microbrdf_reference::{Brdf, Direction};
 use microbrdf_scene::{HostArithmetic, Material};
 use microbrdf_tests::domain::Pair;
-use microbrdf_tests::frame::Rotations;
+use microbrdf_tests::frame::{Rotations, in_frame};
 
 /// How an arithmetic holds a component.
 #[derive(Clone, Copy)]
@@ -120,27 +120,4 @@ impl Subject {
             255.0 * microbrdf_reference::encode_srgb((self.kernel.k * rho).clamp(0.0, 1.0))
         })
     }
-}
-
-/// L and V in a shading frame whose third axis is N.
-pub(crate) fn in_frame(n: [f64; 3], l: [f64; 3], v: [f64; 3]) -> Pair {
-    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let unit = |a: [f64; 3]| a.map(|c| c / dot(a, a).sqrt());
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [
-            a[1] * b[2] - a[2] * b[1],
-            a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0],
-        ]
-    };
-    let n = unit(n);
-    // Any axis that is not nearly along N.
-    let least = if n[0].abs() < 0.6 {
-        [1.0, 0.0, 0.0]
-    } else {
-        [0.0, 1.0, 0.0]
-    };
-    let tangent = unit(cross(least, n));
-    let bitangent = cross(n, tangent);
-    [l, v].map(|a| [dot(tangent, a), dot(bitangent, a), dot(n, a)])
 }

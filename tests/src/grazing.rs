@@ -1,0 +1,116 @@
+//! `q15`'s error as a function of the larger cosine, from both calls.
+
+use std::fmt::Write as _;
+
+use microbrdf::Rgb;
+use microbrdf::arithmetic::{Arithmetic, Q15};
+use microbrdf::brdf::Brdf as _;
+use microbrdf::geometry::{Direction, Geometry, World};
+use microbrdf_reference as reference;
+use microbrdf_scene::HostArithmetic;
+
+use crate::arithmetic::rounded;
+use crate::domain::Set;
+use crate::error::Subject;
+use crate::frame::{Rotations, in_frame};
+use crate::registry;
+
+type A = Q15;
+
+/// The larger cosine is at least this, and below the one before.
+const LEAST: [f64; 4] = [1.0 / 64.0, 1.0 / 512.0, 1.0 / 4096.0, 1.0 / 16_384.0];
+/// Pairs in each set, for each entry of the registry.
+const SAMPLES: usize = 1000;
+/// The greatest peak that is shown at K = c: that of n = 1e5.
+const SHARPEST: f64 = 2e4;
+/// The greatest peak that is shown in world space: that of n = 600.
+const BROAD: f64 = 100.0;
+
+/// The greatest error in LSB, and in whole codes.
+type Greatest = (f64, u8);
+
+/// For each bin of cosines: in the shading frame and in world space, at K = 1
+/// and at K = c.
+fn found() -> [[Greatest; 4]; LEAST.len()] {
+    let mut found = [[(0.0, 0); 4]; LEAST.len()];
+    let mut rotations = Rotations::new(0x6A2E);
+    for entry in registry::all() {
+        let subject = Subject::<A>::new(&entry.material());
+        let peak = subject.exact.peak();
+        // n = 0 ends at α = 90° as a patch does.
+        let has_edge = entry.model == "patch" || entry.toml.ends_with("exponent = 0");
+        for (column, k) in [1.0, peak].into_iter().enumerate() {
+            if column == 1 && !(1e-3..SHARPEST).contains(&peak) {
+                continue;
+            }
+            for set in [Set::Lobe, Set::Mirror, Set::Grazing, Set::Random] {
+                for pair in entry.pairs(set, 9.0 + k.max(1.0).ln(), SAMPLES) {
+                    let frame = Subject::<A>::geometry(pair);
+                    let exact = [value(&frame.l), value(&frame.v)];
+                    add(&mut found, column, &subject, k, &frame, exact);
+                    let [n, l, v] = rotations.turn(pair).map(rounded::<A>);
+                    let exact = in_frame(value(&n), value(&l), value(&v));
+                    let world = World::new(n, l, v);
+                    // A cosine that is rounded over the horizon is another question.
+                    let above = exact[0][2] > 0.0 && exact[1][2] > 0.0;
+                    if above && peak < BROAD && !has_edge {
+                        add(&mut found, column + 2, &subject, k, &world, exact);
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+fn value(direction: &Direction<A>) -> [f64; 3] {
+    [direction.x, direction.y, direction.z].map(A::component_value)
+}
+
+fn add(
+    found: &mut [[Greatest; 4]],
+    column: usize,
+    subject: &Subject<A>,
+    k: f64,
+    geometry: &impl Geometry<A>,
+    exact: [[f64; 3]; 2],
+) {
+    let larger = exact[0][2].max(exact[1][2]);
+    let Some(bin) = LEAST.iter().position(|least| larger >= *least) else {
+        return;
+    };
+    let shown = A::linear(subject.model.shade(&Rgb::grey(A::gain(k)), geometry)).srgb8();
+    let [l, v] = exact.map(|[x, y, z]| reference::Direction::new(x, y, z));
+    let rho = subject.exact.rho(&l, &v);
+    for (code, rho) in shown.into_iter().zip(rho) {
+        let exact = 255.0 * reference::encode_srgb((k * rho).clamp(0.0, 1.0));
+        let (lsb, codes) = &mut found[bin][column];
+        *lsb = lsb.max((f64::from(code) - exact).abs());
+        *codes = (*codes).max(code.abs_diff(exact.round() as u8));
+    }
+}
+
+/// The section of `docs/accuracy.md`.
+pub fn section() -> String {
+    let mut text = String::from(
+        "\n## `q15` and the larger cosine\n\n\
+         Greatest arithmetic error in LSB, in brackets in whole codes, where the larger of the two \
+         cosines lies in a range: over every entry of the registry at K = 1, and over those of a peak \
+         below 2e4 (n to 1e5) at K = c. In the shading frame a cosine is exact, so that the error does \
+         not grow towards grazing; in world space L + V loses its part along N by products of 14 bits: \
+         entries of a peak below 100 (n to 600) and without an edge are shown, narrower lobes err more, \
+         and the edge of a patch or of n = 0 lies where rounding puts it. A ratio of cosines is there within \
+         4e-5, of which the dark shows K times as much. Computed anew by `tests/tests/documents.rs`, which fails when a figure \
+         is out of date.\n\n\
+         | larger cosine from | shading frame, K = 1 | K = c | world space, K = 1 | K = c |\n\
+         | --- | ---: | ---: | ---: | ---: |\n",
+    );
+    for (least, columns) in LEAST.into_iter().zip(found()) {
+        let _ = write!(text, "| 2^{:.0} |", least.log2());
+        for (lsb, codes) in columns {
+            let _ = write!(text, " {lsb:.2} ({codes}) |");
+        }
+        text.push('\n');
+    }
+    text
+}
