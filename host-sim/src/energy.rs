@@ -55,6 +55,9 @@ impl<A: HostArithmetic> Shipped<A> {
             Material::PatchExponential { sharpness } => Lobe::Disc {
                 radius: (12.0 / sharpness).min(2.0),
             },
+            Material::PatchProfile { profile } => Lobe::Disc {
+                radius: profile.reach(),
+            },
             Material::Lambert { .. } => Lobe::Disc { radius: 2.0 },
         };
         Ok(Self {

@@ -61,7 +61,7 @@ fn head<A: HostArithmetic>(code: &mut String, description: &Description) {
          #[allow(unused_imports)]\n\
          use microbrdf::shade::*;\n\
          #[allow(unused_imports)]\n\
-         use microbrdf::table::CosineCurve;\n\n\
+         use microbrdf::table::{{CosineCurve, ProfileCurve}};\n\n\
          type A = {};\n\n\
          /// The scene's name.\n\
          pub const NAME: &str = {:?};\n\
@@ -186,6 +186,14 @@ fn model<A: HostArithmetic>(part: &PreparedPart<A>) -> (String, String) {
         Material::PatchExponential { sharpness } => (
             "PatchExponential<A>".into(),
             checked("PatchExponential::<A>", parameter(*sharpness)),
+        ),
+        Material::PatchProfile { profile } => (
+            "PatchProfile<A>".into(),
+            format!(
+                "PatchProfile::new({}, {})",
+                checked("ProfileCurve", profile.code()),
+                parameter(part.material.reference().peak())
+            ),
         ),
         Material::Metal {
             exponent,

@@ -13,6 +13,7 @@ mod lamp;
 mod material;
 mod model;
 mod prepare;
+mod profile;
 mod reader;
 mod surface;
 
@@ -29,5 +30,6 @@ pub use lamp::AnyLight;
 pub use material::{Material, Reflectance};
 pub use model::AnyModel;
 pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel, plane_axes};
+pub use profile::Profile;
 pub use reader::Colour;
 pub use surface::{AnyDaylight, AnySurface, SceneParts};

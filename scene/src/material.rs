@@ -3,6 +3,7 @@
 use microbrdf_reference::{self as reference, MetalName};
 
 use crate::error::{Fault, SceneError};
+use crate::profile::Profile;
 use crate::reader::{Colour, Table, list};
 
 /// A material as its table gives it, every value within its range.
@@ -33,6 +34,11 @@ pub enum Material {
     PatchExponential {
         /// s.
         sharpness: f64,
+    },
+    /// A mixture of patches with any profile (4.29, 4.39).
+    PatchProfile {
+        /// ξ(m).
+        profile: Box<Profile>,
     },
     /// A metal (3.29).
     Metal {
@@ -66,13 +72,14 @@ pub enum Reflectance {
     },
 }
 
-const MODELS: [&str; 8] = [
+const MODELS: [&str; 9] = [
     "lambert",
     "phong",
     "metallic-phong",
     "retro-phong",
     "patch",
     "patch-exponential",
+    "profile",
     "metal",
     "plastic",
 ];
@@ -150,6 +157,9 @@ impl Material {
             "patch-exponential" => Self::PatchExponential {
                 sharpness: table.required("sharpness")?.number(0.0..=4096.0)?,
             },
+            "profile" => Self::PatchProfile {
+                profile: Box::new(profile(table)?),
+            },
             "metal" => Self::Metal {
                 exponent: exponent()?,
                 reflectance: reflectance(table)?,
@@ -191,6 +201,25 @@ impl Material {
             _ => false,
         }
     }
+}
+
+/// Greatest number of points of a profile.
+const GREATEST_POINTS: usize = 129;
+
+fn profile(table: &Table<'_, '_>) -> Result<Profile, Fault> {
+    let value = table.required("points")?;
+    let points = value.pairs()?;
+    let (Some([first, greatest]), 2..=GREATEST_POINTS) = (points.first(), points.len()) else {
+        return Err(value.fault(format!("2 to {GREATEST_POINTS} points, each [m, ξ]")));
+    };
+    let in_order = |pair: &[[f64; 2]]| pair[0][0] < pair[1][0] && pair[0][1] >= pair[1][1];
+    if *first != 0.0 || *greatest < 1e-6 || !points.windows(2).all(in_order) {
+        return Err(value.fault(
+            "points [m, ξ] from m = 0 with growing m and a ξ that does not grow, 1e-6 or more at \
+             m = 0: a mixture of patches falls from its middle",
+        ));
+    }
+    Ok(Profile::through(&points))
 }
 
 fn reflectance(table: &Table<'_, '_>) -> Result<Reflectance, Fault> {

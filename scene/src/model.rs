@@ -5,7 +5,8 @@ use microbrdf::Rgb;
 use microbrdf::arithmetic::Arithmetic;
 use microbrdf::brdf::{
     Axis, Brdf, Flat, Foreshortening, Lambert, Metal, Metallic, MetallicPhong, Mirror, PModel,
-    Patch, PatchExponential, Phong, PhongLobe, Plastic, PowerModel, Retro, RetroPhong,
+    Patch, PatchExponential, PatchProfile, Phong, PhongLobe, Plastic, PowerModel, Retro,
+    RetroPhong,
 };
 use microbrdf::geometry::Geometry;
 use microbrdf_reference as reference;
@@ -36,6 +37,8 @@ pub enum AnyModel<A: Arithmetic> {
     Patch(Box<Patch<A>>),
     /// Exponential mixture.
     PatchExponential(Box<PatchExponential<A>>),
+    /// Mixture of any profile.
+    PatchProfile(Box<PatchProfile<A>>),
     /// cosⁿα / g(Θmin).
     Metal(Box<Metal<A>>),
     /// Diffuser and highlight.
@@ -78,6 +81,10 @@ macro_rules! each {
                 $result
             }
             AnyModel::PatchExponential($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::PatchProfile($model) => {
                 let $model = &**$model;
                 $result
             }
@@ -126,6 +133,10 @@ impl Material {
             Self::Patch { radius } => AnyModel::Patch(Box::new(A::patch(*radius)?)),
             Self::PatchExponential { sharpness } => {
                 AnyModel::PatchExponential(Box::new(A::patch_exponential(*sharpness)?))
+            }
+            Self::PatchProfile { profile } => {
+                let peak = A::scale(self.reference().peak());
+                AnyModel::PatchProfile(Box::new(PatchProfile::new(profile.curve(), peak)))
             }
             Self::Metal {
                 exponent,
@@ -209,6 +220,13 @@ impl Material {
             Self::PatchExponential { sharpness } => {
                 Box::new(exact::patch_exponential::PatchExponential::new(sharpness).expect(CHECKED))
             }
+            Self::PatchProfile { profile } => Box::new(
+                exact::patch_profile::PatchProfile::new(
+                    move |m: f64| profile.at(m),
+                    exact::Metric::EUCLIDEAN,
+                )
+                .expect(CHECKED),
+            ),
             Self::Metal {
                 exponent,
                 reflectance: Reflectance::Named(metal),
@@ -239,7 +257,7 @@ impl Material {
             | Self::Plastic { exponent, .. } => *exponent = A::exponent_value(*exponent),
             Self::Patch { radius } => *radius = A::radius_value(*radius),
             Self::PatchExponential { sharpness } => *sharpness = A::exponent_value(*sharpness),
-            Self::Lambert { .. } => {}
+            Self::Lambert { .. } | Self::PatchProfile { .. } => {}
         }
         material
     }

@@ -302,6 +302,18 @@ impl<'t, 'i> Value<'t, 'i> {
         }
     }
 
+    /// Pairs of a distance from 0 to 2 and a number from 0 to 1e6.
+    pub(crate) fn pairs(&self) -> Result<Vec<[f64; 2]>, Fault> {
+        let entries = self
+            .entries()
+            .ok_or_else(|| self.fault("pairs of numbers"))?;
+        let pair = |entry: &Self| match entry.entries().as_deref() {
+            Some([m, value]) => Ok([m.number(0.0..=2.0)?, value.number(0.0..=1e6)?]),
+            _ => Err(entry.fault("two numbers")),
+        };
+        entries.iter().map(pair).collect()
+    }
+
     /// A colour: one number for all channels, or three.
     pub(crate) fn colour(&self, range: RangeInclusive<f64>) -> Result<Colour, Fault> {
         match self.value {

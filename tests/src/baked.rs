@@ -48,6 +48,13 @@ material = "gold"
 center = [1.2, 0.4, 0.0]
 radius = 1.0
 material = "between"
+[[sphere]]
+center = [2.1, -1.6, -0.6]
+radius = 0.4
+material = "satin"
+[material.satin]
+model = "profile"
+points = [[0, 3], [0.1, 2.8], [0.3, 1.5], [0.45, 0.6], [0.9, 0.1]]
 [material.floor]
 model = "plastic"
 albedo = 0.4

@@ -79,7 +79,7 @@ impl Drawing for Q31 {
 /// The sampler of a material.
 ///
 /// # Panics
-/// For a plastic, which has none.
+/// For a plastic and a free profile, which have none.
 pub fn sampler<A: Drawing>(material: &Material) -> Box<dyn Sample<A>> {
     match material {
         Material::Lambert { albedo } => Box::new(A::lambert(albedo.rgb()).expect(IN_RANGE)),
@@ -111,6 +111,7 @@ pub fn sampler<A: Drawing>(material: &Material) -> Box<dyn Sample<A>> {
             reflectance.curve(),
         )),
         Material::Plastic { .. } => panic!("a plastic is sampled by its parts"),
+        Material::PatchProfile { .. } => panic!("a free profile has no sampler"),
     }
 }
 
@@ -143,6 +144,7 @@ pub fn density(material: &Material, v: Direction) -> Box<dyn Fn(&Direction) -> f
                 model.peak() * (-sharpness * distance).exp() * l.z
             }
             Material::Plastic { .. } => panic!("a plastic is sampled by its parts"),
+            Material::PatchProfile { .. } => panic!("a free profile has no sampler"),
         }
     })
 }

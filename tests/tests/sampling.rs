@@ -223,6 +223,7 @@ fn width(material: &Material) -> f64 {
         | Material::Plastic { exponent, .. } => *exponent,
         Material::Patch { radius } => 1.0 / (radius * radius),
         Material::PatchExponential { sharpness } => (sharpness * sharpness).max(1.0) / 8.0,
+        Material::PatchProfile { profile } => profile.reach().powi(-2),
     }
 }
 

@@ -234,3 +234,35 @@ fn an_exposure_is_a_number_or_auto() {
     let error = Description::from_toml("scene", "scene", dark).unwrap_err();
     assert!(error.to_string().contains("too little light"), "{error}");
 }
+
+#[test]
+fn a_profile_is_refused_unless_it_falls_from_its_middle() {
+    let points = "[[0, 3], [0.1, 2.8], [0.3, 1.5], [0.45, 0.6], [0.9, 0.1]]";
+    for (wrong, message) in [
+        ("[[0, 3]]", "2 to 129 points"),
+        ("[[0, 3], [0.1, 3.1]]", "a mixture of patches falls"),
+        ("[[0.1, 3], [0.2, 1]]", "from m = 0"),
+        ("[[0, 3], [0.2, 1], [0.2, 0.5]]", "growing m"),
+        ("[[0, 0], [1, 0]]", "1e-6 or more"),
+        (
+            "[[0, 1], [2.1, 0]]",
+            "points[2][1] = 2.1: must be a number from 0 to 2",
+        ),
+        ("[[0, 1], [1]]", "must be two numbers"),
+    ] {
+        let text = without(LAMPS, points, wrong);
+        let error = Description::from_toml("scene", "scene", &text).unwrap_err();
+        assert!(error.to_string().contains(message), "{wrong}: {error}");
+    }
+}
+
+/// Under daylight a profile answers with its own albedo, at most 1.
+#[test]
+fn a_profile_has_the_albedo_of_the_references() {
+    let points = "[[0, 3], [0.1, 2.8], [0.3, 1.5], [0.45, 0.6], [0.9, 0.1]]";
+    let text = format!("model = \"profile\"\npoints = {points}");
+    let material = microbrdf_scene::Material::from_toml("material", &text).unwrap();
+    let table = microbrdf_scene::AlbedoTable::of(&material);
+    assert!((table.at(1.0)[0] - 1.0).abs() < 1e-5, "{:?}", table.at(1.0));
+    assert!(table.at(0.1)[0] < 0.95 && table.at(0.1)[0] > 0.3);
+}

@@ -104,6 +104,10 @@ fn lights(material: &Material, index: u32) -> [[f64; 3]; 2] {
             let m = (9.0 / sharpness.max(1.0)).min(1.4);
             (0.5 * m * m, false)
         }
+        Material::PatchProfile { profile } => {
+            let m = profile.reach().min(1.4);
+            (0.5 * m * m, false)
+        }
         Material::Lambert { .. } => (1.0, false),
     };
     let x = x * even(index, 2);

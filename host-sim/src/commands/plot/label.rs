@@ -33,6 +33,7 @@ pub fn label(material: &Material) -> String {
         }
         Material::Patch { radius } => format!("patch, R = {radius}"),
         Material::PatchExponential { sharpness } => format!("exponential patch, s = {sharpness}"),
+        Material::PatchProfile { .. } => "patch mixture".to_owned(),
         Material::Metal {
             exponent,
             reflectance,
