@@ -19,7 +19,8 @@ const COSINE_BITS: u32 = 30;
 ///
 /// For cores without a long multiply or a divider (Cortex-M0 and M0+): no
 /// product on its way from two directions to linear light is wider than 32
-/// bits, and nothing is divided. The versine is exact for the directions
+/// bits, and nothing is divided. Cores that multiply to 64 bits or count
+/// leading zeros at once do so, with the same bits. The versine is exact for the directions
 /// given; coarse are only the directions themselves, which a picture shows at
 /// grazing and in narrow lobes. Sums of components wrap only for directions
 /// whose length is far from 1.
