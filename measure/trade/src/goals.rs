@@ -127,7 +127,9 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
         "# What kernels were to cost\n\n\
          Made by `cargo xtask measure`; `cargo xtask test` fails when it is out of date. Mean cycles \
          as [trade.md](trade.md) defines them, estimates from Arm's published timings, of the cheapest \
-         arithmetic that is exact enough (`q15`): the greatest of the kernels named.\n\n\
+         arithmetic that is exact enough (`q15`): the greatest of the kernels named. A \
+         sample whose N·L lies below half a step of a 14-bit cosine is at the horizon and ends early: the \
+         listings' first column shows how many.\n\n\
          | | kernels | M0+ | goal | M3 | goal | M4F | goal |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for goal in &GOALS {
