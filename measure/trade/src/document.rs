@@ -15,7 +15,7 @@ pub const CORES: [(&str, &str); 5] = [
 ];
 
 /// Models in their order, with a title.
-const MODELS: [(&str, &str); 11] = [
+const MODELS: [(&str, &str); 13] = [
     ("metallic-phong", "Metallic Phong"),
     ("metal", "Metal, three channels with Fresnel's factor"),
     ("patch", "Basic patch"),
@@ -25,6 +25,8 @@ const MODELS: [(&str, &str); 11] = [
     ("lambert", "Lambert"),
     ("plastic", "Plastic, three channels"),
     ("srgb8", "Linear light to an 8-bit sRGB code, one channel"),
+    ("rgb565", "Three channels of linear light to RGB565"),
+    ("grey16", "A luminance to one of 16 greys"),
     ("three dot products", "Three dot products: N·L, N·V, L·V"),
     (
         "sphere",
