@@ -5,7 +5,8 @@ use std::f64::consts::FRAC_1_PI;
 use microbrdf_reference::Direction;
 use microbrdf_reference::light::{Attenuation, Illumination, Light};
 
-use crate::description::{Description, LightDescription, LightKind, dot, length, sub};
+use crate::description::{Description, LightDescription, LightKind};
+use crate::vector::{dot, length, sub};
 
 /// Albedo of the sphere.
 const ALBEDO: f64 = 0.5;

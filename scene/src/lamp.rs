@@ -4,8 +4,9 @@ use microbrdf::ParameterError;
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{Dimmed, FloodLight, Light, PointLight};
 
-use crate::description::{LightDescription, LightKind, sub};
+use crate::description::{LightDescription, LightKind};
 use crate::host::HostArithmetic;
+use crate::vector::sub;
 
 /// Any of the core's lights.
 #[derive(Clone, Debug)]

@@ -16,6 +16,7 @@ mod prepare;
 mod profile;
 mod reader;
 mod surface;
+mod vector;
 
 pub use albedo::{AlbedoTable, directional_albedo};
 pub use bake::bake;

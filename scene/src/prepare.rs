@@ -7,14 +7,13 @@ use microbrdf_reference as reference;
 
 use crate::albedo::AlbedoTable;
 use crate::curve::cosine_curve;
-use crate::description::{
-    CameraDescription, Description, PlaneDescription, cross, dot, length, sub,
-};
+use crate::description::{CameraDescription, Description, PlaneDescription};
 use crate::host::HostArithmetic;
 use crate::lamp::{AnyLight, rounded};
 use crate::material::Material;
 use crate::model::AnyModel;
 use crate::reader::Colour;
+use crate::vector::{cross, dot, length, sub};
 
 /// A scene as the core takes it, owned.
 #[derive(Clone, Debug)]

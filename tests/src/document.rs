@@ -33,6 +33,7 @@ pub fn accuracy() -> String {
          table's 25.\n",
     );
     text.push_str(&crate::grazing::section());
+    text.push_str(&crate::broad::section());
     steps(&mut text);
     text.push_str(
         "\n## Fresnel curves\n\n\

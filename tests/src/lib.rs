@@ -3,6 +3,7 @@
 
 pub mod arithmetic;
 pub mod baked;
+pub mod broad;
 pub mod curves;
 pub mod dither;
 pub mod document;

@@ -1,4 +1,4 @@
-//! Mixtures of patches with any profile ξ(m) (4.29).
+//! Mixtures of patches with any profile ξ(m) (4.39).
 
 use super::Shape;
 use super::foreshortening::Flat;
@@ -10,7 +10,7 @@ use crate::table::ProfileCurve;
 ///
 /// The constant C, in sr⁻¹, which keeps the greatest albedo at 1, is an
 /// integral over the whole profile: the host computes it with the table
-/// (`microbrdf_reference::models::Profile`). An `f32` component that is not a
+/// (`microbrdf_reference::models::PatchProfile`). An `f32` component that is not a
 /// number makes the share 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchProfile<A: Arithmetic> {

@@ -22,11 +22,6 @@ pub struct Checker<A: Placing> {
 
 impl<A: Placing> Ground<A> for Checker<A> {
     #[inline]
-    fn plane(&self) -> &Plane<A> {
-        &self.plane
-    }
-
-    #[inline]
     fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
         let (depth, normal, even) = self.plane.hit(d)?;
         let odd = |i: usize| A::odd_stripe(self.eye[i], &self.across[i], d, depth);

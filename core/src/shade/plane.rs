@@ -17,19 +17,11 @@ pub struct Plane<A: Tracing> {
 /// A plane and what it is painted with: a [`Plane`] of one material, or a
 /// [`Checker`](super::Checker).
 pub trait Ground<A: Tracing> {
-    /// The plane.
-    fn plane(&self) -> &Plane<A>;
-
     /// Distance, normal and material where the ray `d` meets it.
     fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)>;
 }
 
 impl<A: Tracing> Ground<A> for Plane<A> {
-    #[inline]
-    fn plane(&self) -> &Plane<A> {
-        self
-    }
-
     #[inline]
     fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
         let depth = A::plane_depth(self.height, &self.normal, d)?;

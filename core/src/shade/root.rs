@@ -1,7 +1,17 @@
 //! Roots of 64-bit numbers, without a division.
 
 /// 1/√x with 7 fraction bits at the middles of the sixteenths from 1/4 to 1.
-const FIRST: [u8; 12] = [241, 218, 201, 187, 176, 166, 158, 151, 145, 139, 134, 130];
+const FIRST: [u8; 12] = {
+    let mut table = [0; 12];
+    let mut cell = 4;
+    while cell < 16 {
+        // (2 · 2⁷)² over the middle, (2 · cell + 1)/32.
+        let doubled = ((256 * 256 * 32) / (2 * cell + 1) as u32).isqrt();
+        table[cell - 4] = doubled.div_ceil(2) as u8;
+        cell += 1;
+    }
+    table
+};
 
 /// A normalised root: of `square` = x · 2⁽⁶⁴⁻ˢʰⁱᶠᵗ⁾, x in [1/4, 1).
 pub(crate) struct Root {

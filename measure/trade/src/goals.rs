@@ -49,8 +49,7 @@ const GOALS: [Goal; 7] = [
         at_most: [115.0, 100.0, 75.0],
         why: "Beyond the lobe and the ratio, which alone take most of the goal, three channels each \
               read two knots, interpolate, multiply, clamp and store. The knots are kept apart from \
-              their differences, since that halves the curve's bytes, and a product with a word of \
-              slope and value in it saves one cycle a channel at most.",
+              their differences: a word of slope and value for each would double the curve's bytes.",
     },
     Goal {
         title: "basic patch",
@@ -58,8 +57,7 @@ const GOALS: [Goal; 7] = [
         at_most: [45.0, 30.0, 30.0],
         why: "What is left is the geometry: unpacking four components, two squares, a comparison, \
               and one clamp. The function saves registers and sets up a frame pointer although it \
-              calls nothing: the compiler's Thumb targets ask for that in every function, and no \
-              option takes it back. Inlined in a row's loop those cycles are gone.",
+              calls nothing: the compiler's Thumb targets ask for that in every function. Inlined in a row's loop those cycles are gone.",
     },
     Goal {
         title: "exponential patch",
@@ -84,8 +82,8 @@ const GOALS: [Goal; 7] = [
         at_most: [190.0, 120.0, 70.0],
         why: "Nine components are unpacked for two dot products and three coordinates of L + V \
               without its part along N, each of them with a product and a square of its own: a \
-              formula in the cosines alone would save half of that, and lose the highlight's digits \
-              where 14-bit directions cancel. So many values need every register, whose saving and \
+              formula in the cosines alone would be shorter, and lose the highlight's digits where \
+              14-bit directions cancel. So many values need every register, whose saving and \
               spilling is counted, too.",
     },
     Goal {
@@ -93,8 +91,8 @@ const GOALS: [Goal; 7] = [
         kernels: &["q15_sphere_20", "q15_sphere_500", "q15_sphere_5000"],
         at_most: [60.0, 40.0, 36.0],
         why: "It is the world-space evaluation with a root for the normal before it and a palette \
-              after it. What would be quicker takes the versine from 1 + L·V − 2(N·L)(N·V), which \
-              is several levels off from n = 500 on.",
+              after it. What would be quicker takes the versine from 1 + L·V − 2(N·L)(N·V), where \
+              14-bit directions cancel.",
     },
 ];
 

@@ -1,0 +1,118 @@
+//! `[[light]]`.
+
+use super::camera::CameraDescription;
+use super::shape::{PlaneDescription, SphereDescription};
+use super::{COORDINATE, GREATEST_LENGTH, read_unit};
+use crate::error::Fault;
+use crate::reader::Table;
+use crate::vector::{dot, length, sub};
+
+/// Least distance of a lamp from a surface.
+const LEAST_LAMP_DISTANCE: f64 = 0.01;
+
+/// A light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightDescription {
+    /// Where it is and how it shines.
+    pub kind: LightKind,
+    /// Normal irradiance of a light at infinity, in linear RGB; of a lamp its
+    /// intensity, which is the irradiance at distance 1, for a flood on its axis.
+    pub color: [f64; 3],
+}
+
+/// Where a light is and how it shines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightKind {
+    /// At infinity.
+    Directional {
+        /// Unit vector to it.
+        direction: [f64; 3],
+    },
+    /// Alike in all directions.
+    Point {
+        /// Position.
+        position: [f64; 3],
+        /// Least distance to anything in the scene.
+        near: f64,
+    },
+    /// As cosⁿξ about an axis.
+    Flood {
+        /// Position.
+        position: [f64; 3],
+        /// Least distance to anything in the scene.
+        near: f64,
+        /// Unit vector in which it shines.
+        axis: [f64; 3],
+        /// n.
+        exponent: f64,
+    },
+}
+
+pub(super) fn read_light(
+    table: &Table<'_, '_>,
+    camera: &CameraDescription,
+    spheres: &[SphereDescription],
+    planes: &[PlaneDescription],
+) -> Result<LightDescription, Fault> {
+    let kind = table.required("kind")?;
+    let color = |field| table.required(field)?.colour(0.0..=1e6);
+    let (kind, color) = match kind.string()? {
+        "directional" => {
+            let direction = read_unit(table, "direction")?;
+            (LightKind::Directional { direction }, color("color")?)
+        }
+        name @ ("point" | "flood") => {
+            let position = table.required("position")?.triple(COORDINATE)?;
+            let near = lamp_distance(table, position, camera, spheres, planes)?;
+            let kind = if name == "point" {
+                LightKind::Point { position, near }
+            } else {
+                LightKind::Flood {
+                    position,
+                    near,
+                    axis: read_unit(table, "axis")?,
+                    exponent: table.required("exponent")?.number(1.0..=1e4)?,
+                }
+            };
+            (kind, color("intensity")?)
+        }
+        _ => return Err(kind.fault("\"directional\", \"point\" or \"flood\"")),
+    };
+    Ok(LightDescription {
+        kind,
+        color: color.rgb(),
+    })
+}
+
+/// Least distance of a lamp from anything in the scene; 1 where it is empty.
+fn lamp_distance(
+    table: &Table<'_, '_>,
+    position: [f64; 3],
+    camera: &CameraDescription,
+    spheres: &[SphereDescription],
+    planes: &[PlaneDescription],
+) -> Result<f64, Fault> {
+    let from_eye = length(sub(position, camera.eye));
+    if from_eye > GREATEST_LENGTH {
+        return Err(table.fault(format!(
+            "this lamp is {from_eye:.1} from the camera: must be at most {GREATEST_LENGTH}"
+        )));
+    }
+    let spheres = spheres
+        .iter()
+        .map(|sphere| (length(sub(position, sphere.center)) - sphere.radius).abs());
+    let planes = planes
+        .iter()
+        .map(|plane| dot(sub(position, plane.point), plane.normal).abs());
+    let near = spheres.chain(planes).fold(f64::INFINITY, f64::min);
+    if near < LEAST_LAMP_DISTANCE {
+        return Err(table.fault(format!(
+            "this lamp is {near:.4} from a surface: must be at least {LEAST_LAMP_DISTANCE}"
+        )));
+    }
+    Ok(if near.is_finite() {
+        near.min(GREATEST_LENGTH)
+    } else {
+        1.0
+    })
+}
