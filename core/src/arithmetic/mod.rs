@@ -5,6 +5,7 @@
 //! type could carry a model's formula. Each step says which quantity it takes
 //! and gives; its implementor chooses bits and rounding.
 
+pub(crate) mod exponent;
 mod f32;
 mod math;
 mod peak;

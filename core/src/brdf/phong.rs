@@ -7,7 +7,7 @@ use fixed::types::U32F32;
 
 use super::Shape;
 use super::foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
-use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
+use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31, exponent};
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
 use crate::table::integer::INVERSE_PI;
@@ -102,9 +102,10 @@ impl<M: Math, X: Axis, P: Foreshortening<Float<M>>> PhongLobe<Float<M>, X, P> {
     where
         P: Copy,
     {
-        if !(n >= 0.0 && n <= 1e8) {
-            return Err(ParameterError::new("exponent", "a number from 0 to 1e8"));
-        }
+        let n = match exponent::single(n) {
+            Ok(n) => n,
+            Err(error) => return Err(error),
+        };
         let peak = (n + 2.0) / core::f32::consts::TAU;
         Ok(Self {
             power: n,
@@ -133,13 +134,10 @@ macro_rules! in_fixed_point {
             where
                 P: Copy,
             {
-                let bits = n.to_bits();
-                if bits > 100_000_000 << 32 || (bits > 0 && bits < 1 << 32) {
-                    return Err(ParameterError::new(
-                        "exponent",
-                        "0 or a number from 1 to 1e8",
-                    ));
-                }
+                let bits = match exponent::fixed(n) {
+                    Ok(bits) => bits,
+                    Err(error) => return Err(error),
+                };
                 let peak = U32F32::from_bits(lobe_peak(bits));
                 let power = $arithmetic::<SIZE>::stored_power(bits);
                 Ok(Self {

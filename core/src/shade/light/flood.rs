@@ -3,7 +3,7 @@
 use fixed::types::U32F32;
 
 use super::{Dimmed, Light, PointLight};
-use crate::arithmetic::{Float, Math, Q15, Q31};
+use crate::arithmetic::{Float, Math, Q15, Q31, exponent};
 use crate::error::ParameterError;
 use crate::geometry::{Direction, retro_versine};
 use crate::shade::Placing;
@@ -43,9 +43,10 @@ impl<M: Math> FloodLight<Float<M>> {
         back: Direction<Float<M>>,
         n: f32,
     ) -> Result<Self, ParameterError> {
-        if !(n >= 0.0 && n <= 1e8) {
-            return Err(ParameterError::new("exponent", "a number from 0 to 1e8"));
-        }
+        let n = match exponent::single(n) {
+            Ok(n) => n,
+            Err(error) => return Err(error),
+        };
         Ok(Self {
             lamp,
             back,
@@ -67,13 +68,10 @@ macro_rules! in_fixed_point {
                 back: Direction<$arithmetic<SIZE>>,
                 n: U32F32,
             ) -> Result<Self, ParameterError> {
-                let bits = n.to_bits();
-                if bits > 100_000_000 << 32 || (bits > 0 && bits < 1 << 32) {
-                    return Err(ParameterError::new(
-                        "exponent",
-                        "0 or a number from 1 to 1e8",
-                    ));
-                }
+                let bits = match exponent::fixed(n) {
+                    Ok(bits) => bits,
+                    Err(error) => return Err(error),
+                };
                 Ok(Self {
                     lamp,
                     back,
