@@ -10,11 +10,11 @@ macro_rules! every_model {
 
         use microbrdf::Rgb;
         use microbrdf::brdf::{
-            Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, Phong, Plastic,
-            PowerModel, RetroPhong,
+            Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, PatchProfile, Phong,
+            Plastic, PowerModel, RetroPhong,
         };
         use microbrdf::fixed::types::{U0F32, U1F31, U2F30, U32F32};
-        use microbrdf::table::{COSINE_KNOTS, CosineCurve};
+        use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
         use microbrdf_probes::evaluate;
 
         type A = $arithmetic;
@@ -50,6 +50,13 @@ macro_rules! every_model {
             }
             if let Ok(model) = PatchExponential::<A>::new(parameter()) {
                 evaluate(&model, components, gain);
+            }
+            if let Ok(profile) = ProfileCurve::new(black_box([0; PROFILE_KNOTS]), black_box(0)) {
+                evaluate(
+                    &PatchProfile::<A>::new(profile, parameter()),
+                    components,
+                    gain,
+                );
             }
             if let Ok(model) = Plastic::<A>::new(share(), share(), parameter()) {
                 evaluate(&model, components, gain);

@@ -18,7 +18,7 @@ pub const ANGLES: [f64; 8] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 89.0, 89.9];
 const NOTHING: f64 = 1e-7;
 
 /// Each family at exponents, radii and sharpnesses from end to end.
-pub const MATERIALS: [&str; 26] = [
+pub const MATERIALS: [&str; 28] = [
     "model = \"lambert\", albedo = 0.8",
     "model = \"phong\", exponent = 1",
     "model = \"phong\", exponent = 20",
@@ -40,6 +40,8 @@ pub const MATERIALS: [&str; 26] = [
     "model = \"patch-exponential\", sharpness = 16",
     "model = \"patch-exponential\", sharpness = 128",
     "model = \"patch-exponential\", sharpness = 4096",
+    "model = \"profile\", points = [[0, 1], [0.25, 0.375], [1, 0]]",
+    "model = \"profile\", points = [[0, 1], [0.01, 0.9], [0.1, 0.1], [2, 0.02]]",
     "model = \"metal\", metal = \"gold\", exponent = 20",
     "model = \"metal\", metal = \"aluminium\", exponent = 500",
     "model = \"metal\", eta = [3.18, 3.2, 2.3], k = [3.3, 3.3, 3.1], exponent = 40",

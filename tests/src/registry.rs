@@ -79,6 +79,13 @@ pub fn all() -> Vec<Entry> {
             (s * s).max(1.0) / 8.0,
         );
     }
+    for (points, n) in [
+        ("[0, 1], [0.25, 0.375], [1, 0]", 8.0),
+        ("[0, 1], [0.01, 0.9], [0.1, 0.1], [2, 0.02]", 40.0),
+        ("[0, 1], [0.0009, 0]", 1e6),
+    ] {
+        add("profile", format!("points = [{points}]"), n);
+    }
     for metal in ["gold", "silver", "copper", "aluminium"] {
         for n in [1.0, 20.0, 190.0, 5e3] {
             add("metal", format!("metal = \"{metal}\", exponent = {n}"), n);

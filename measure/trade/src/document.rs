@@ -15,11 +15,12 @@ pub const CORES: [(&str, &str); 5] = [
 ];
 
 /// Models in their order, with a title.
-const MODELS: [(&str, &str); 13] = [
+const MODELS: [(&str, &str); 14] = [
     ("metallic-phong", "Metallic Phong"),
     ("metal", "Metal, three channels with Fresnel's factor"),
     ("patch", "Basic patch"),
     ("patch-exponential", "Exponential patch"),
+    ("profile", "Patch mixture with a tabulated profile"),
     ("phong", "Reciprocal Phong, and the p-model"),
     ("retro-phong", "Retro-reflective metallic Phong"),
     ("lambert", "Lambert"),

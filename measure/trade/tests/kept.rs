@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use microbrdf_kernels::kernels;
+use microbrdf_kernels::{kernels, profile::PROFILE};
+use microbrdf_scene::Material;
 use microbrdf_trade::row::{self, Row};
 use microbrdf_trade::subject::Subject;
 use microbrdf_trade::{curve, document, plot, samples};
@@ -66,6 +67,16 @@ fn gold_is_what_a_scene_would_bake() {
         text("measure/kernels/src/gold.rs") == curve::gold(),
         "cargo run -p microbrdf-trade -- curve > measure/kernels/src/gold.rs"
     );
+}
+
+#[test]
+fn the_profile_is_what_a_scene_would_bake() {
+    let kernel = kernels().find(|kernel| kernel.model == "profile");
+    let fields = kernel.expect("a kernel of a profile").fields;
+    match Material::from_argument(&format!("model = \"profile\", {fields}")) {
+        Ok(Material::PatchProfile { profile }) => assert!(profile.curve() == PROFILE),
+        other => panic!("{other:?} is no profile"),
+    }
 }
 
 #[test]

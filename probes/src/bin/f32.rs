@@ -11,10 +11,10 @@ mod probe {
     use microbrdf::Rgb;
     use microbrdf::arithmetic::F32;
     use microbrdf::brdf::{
-        Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, Phong, Plastic, PowerModel,
-        RetroPhong,
+        Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, PatchProfile, Phong,
+        Plastic, PowerModel, RetroPhong,
     };
-    use microbrdf::table::{COSINE_KNOTS, CosineCurve};
+    use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
     use microbrdf_probes::evaluate;
 
     #[allow(unsafe_code)]
@@ -46,6 +46,9 @@ mod probe {
         }
         if let Ok(model) = PatchExponential::<F32>::new(any()) {
             evaluate(&model, components, any());
+        }
+        if let Ok(profile) = ProfileCurve::new(black_box([0; PROFILE_KNOTS]), black_box(0)) {
+            evaluate(&PatchProfile::<F32>::new(profile, any()), components, any());
         }
         if let Ok(model) = Plastic::<F32>::new(Rgb::grey(any()), Rgb::grey(any()), any()) {
             evaluate(&model, components, any());
