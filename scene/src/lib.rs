@@ -8,6 +8,7 @@ mod description;
 mod error;
 mod exposure;
 pub mod files;
+mod highlight;
 mod host;
 mod lamp;
 mod material;

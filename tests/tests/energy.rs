@@ -123,9 +123,7 @@ fn bound<A: Tested>(entry: &registry::Entry) -> f64 {
             lobe + 5e-8 + 2.0 * A::COMPONENT_ERROR * entry.n.sqrt() * 8f64.sqrt()
         }
         // The error of m times the slope of ξ, below √(2n).
-        "profile" => {
-            lobe + 4.0 * A::UNIT_STEP + 2.0 * A::COMPONENT_ERROR * (2.0 * entry.n).sqrt()
-        }
+        "profile" => lobe + 4.0 * A::UNIT_STEP + 2.0 * A::COMPONENT_ERROR * (2.0 * entry.n).sqrt(),
         "plastic" if entry.n > 1e5 => f64::INFINITY,
         _ => lobe + 4.0 * A::UNIT_STEP,
     }

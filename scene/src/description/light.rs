@@ -18,6 +18,9 @@ pub struct LightDescription {
     /// Normal irradiance of a light at infinity, in linear RGB; of a lamp its
     /// intensity, which is the irradiance at distance 1, for a flood on its axis.
     pub color: [f64; 3],
+    /// How large it is: the angular diameter in rad of one at infinity, a
+    /// lamp's diameter. It widens highlights and nothing else.
+    pub size: f64,
 }
 
 /// Where a light is and how it shines.
@@ -78,7 +81,13 @@ pub(super) fn read_light(
         }
         _ => return Err(kind.fault("\"directional\", \"point\" or \"flood\"")),
     };
+    let size = match (table.optional("size"), &kind) {
+        (None, _) => 0.0,
+        (Some(size), LightKind::Directional { .. }) => size.number(0.0..=20.0)?.to_radians(),
+        (Some(size), _) => size.number(0.0..=10.0)?,
+    };
     Ok(LightDescription {
+        size,
         kind,
         color: color.rgb(),
     })

@@ -120,6 +120,10 @@ impl Description {
             Some(dither) => dither.boolean()?,
             None => true,
         };
+        let widen = match table.optional("widen") {
+            Some(widen) => widen.boolean()?,
+            None => true,
+        };
         table.finish()?;
         let mut scene = Self {
             name,
@@ -143,6 +147,15 @@ impl Description {
             scene.exposure = found
                 .filter(|found| EXPOSURE.contains(found))
                 .ok_or_else(|| value.fault("a number here: too little light reaches the target"))?;
+        }
+        if widen {
+            scene.widen_highlights().map_err(|count| {
+                let message = format!(
+                    "highlights of {count} widths: must be at most {GREATEST_COUNT}, \
+                     or with `widen = false`"
+                );
+                Fault::new(0, message)
+            })?;
         }
         Ok(scene)
     }
@@ -179,6 +192,9 @@ impl Materials {
             let names: Vec<_> = self.all.keys().map(String::as_str).collect();
             return Err(value.fault(format!("a [material.NAME] of the file: {}", list(&names))));
         };
+        if self.used.len() == GREATEST_COUNT {
+            return Err(value.fault(format!("among the first {GREATEST_COUNT} that are named")));
+        }
         self.used.push((name.to_owned(), material.clone()));
         Ok(self.used.len() - 1)
     }

@@ -1,4 +1,5 @@
-//! Writes `docs/accuracy.md`, `docs/dither.md` and `docs/energy.md`.
+//! Writes `docs/accuracy.md`, `docs/dither.md`,
+//! `docs/energy.md` and `docs/highlights.md`.
 
 fn main() -> std::io::Result<()> {
     let folder = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs"));
@@ -13,5 +14,9 @@ fn main() -> std::io::Result<()> {
     std::fs::write(
         folder.join("energy.md"),
         microbrdf_tests::energy::document(),
+    )?;
+    std::fs::write(
+        folder.join("highlights.md"),
+        microbrdf_tests::flicker::document(),
     )
 }

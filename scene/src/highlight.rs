@@ -1,0 +1,215 @@
+//! Highlights narrower than a pixel, widened so that none falls between
+//! pixels.
+//!
+//! A lobe cosⁿα has the variance 1/n in each of its two directions, a patch of
+//! radius R has R²/4, an exponential mixture 3/s². A light of some size adds its
+//! own. What then is too narrow for samples a pixel apart, by the spectrum of
+//! its shape, gets the least width that is not: `tests/tests/flicker.rs`.
+
+use crate::description::{Description, LightDescription, LightKind};
+use crate::material::Material;
+use crate::prepare::half_pixel;
+use crate::vector::{dot, length, sub};
+
+/// Least σ of a lobe in pixels. It is a bell, whose spectrum e^(−2π²σ²) is
+/// below 1 % at the samples' frequency.
+const LEAST_LOBE: f64 = 0.5;
+/// Least radius of a disc in pixels: the second zero of its spectrum, that of
+/// J₁ at 7.016, lies at the samples' frequency.
+const LEAST_DISC: f64 = 1.117;
+/// Least radius 1/s of an exponential mixture in pixels: its spectrum
+/// (1 + (2π/s)²)^−1.5 is below 1 % there.
+const LEAST_EXPONENTIAL: f64 = 0.75;
+/// At most this factor is a pixel stretched where light grazes: beyond 60°.
+const GREATEST_STRETCH: f64 = 2.0;
+/// Greatest number of materials: their numbers are bytes.
+const GREATEST_COUNT: usize = 255;
+
+/// What highlights are seen through: angles in rad.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    /// What α changes by from one pixel to the next.
+    pixel: f64,
+    /// The same about L, where a curved surface changes nothing.
+    retro: f64,
+    /// The light's diameter.
+    light: f64,
+}
+
+impl Description {
+    /// Gives every object the material that its highlights are shaded with,
+    /// which has a width and an energy of its own only where light's size or
+    /// the pixels ask for it.
+    ///
+    /// # Errors
+    /// The number of materials, if it passes 255.
+    pub(crate) fn widen_highlights(&mut self) -> Result<(), usize> {
+        let spheres: Vec<_> = (0..self.spheres.len()).map(|i| self.on_sphere(i)).collect();
+        let planes: Vec<_> = (0..self.planes.len()).map(|i| self.on_plane(i)).collect();
+        let mut widened = Widened::default();
+        for (sphere, seen) in self.spheres.iter_mut().zip(spheres) {
+            sphere.material = widened.index(&self.materials, sphere.material, seen);
+        }
+        for (plane, seen) in self.planes.iter_mut().zip(planes) {
+            plane.material = widened.index(&self.materials, plane.material, seen);
+            if let Some(checker) = &mut plane.checker {
+                checker.material = widened.index(&self.materials, checker.material, seen);
+            }
+        }
+        if widened.materials.len() > GREATEST_COUNT {
+            return Err(widened.materials.len());
+        }
+        self.materials = widened.materials;
+        Ok(())
+    }
+
+    /// On a sphere.
+    fn on_sphere(&self, index: usize) -> Seen {
+        let sphere = &self.spheres[index];
+        self.through(|light| {
+            let mut normal = sub(self.camera.eye, sphere.center);
+            let mut widest = Seen::default();
+            // Towards the spot of a lamp: it sees the sphere from nearby.
+            for _ in 0..4 {
+                let norm = length(normal);
+                normal = normal.map(|c| c / norm);
+                let spot = [0, 1, 2].map(|i| sphere.center[i] + sphere.radius * normal[i]);
+                let to_eye = sub(self.camera.eye, spot);
+                let (to_light, lamp) = towards(light, spot);
+                let distance = length(to_eye);
+                let stretch = 1.0 / dot(normal, to_light).max(1.0 / GREATEST_STRETCH);
+                let pixel = self.pixel();
+                let across = pixel * distance;
+                widest = Seen {
+                    pixel: pixel + 2.0 * across * stretch / sphere.radius + across / lamp,
+                    retro: pixel + across / lamp,
+                    light: angle(light, lamp),
+                };
+                normal = [0, 1, 2].map(|i| to_light[i] + to_eye[i] / distance);
+            }
+            widest
+        })
+    }
+
+    /// On a plane.
+    fn on_plane(&self, index: usize) -> Seen {
+        let plane = &self.planes[index];
+        let eye = dot(sub(self.camera.eye, plane.point), plane.normal);
+        self.through(|light| match light.kind {
+            LightKind::Directional { .. } => Seen {
+                pixel: self.pixel(),
+                retro: self.pixel(),
+                light: light.size,
+            },
+            // From the spot it is as far to the eye and the lamp as they are
+            // high above the plane, and together as far as to the lamp's image.
+            LightKind::Point { position, .. } | LightKind::Flood { position, .. } => {
+                let lamp = dot(sub(position, plane.point), plane.normal).abs();
+                let apart = length(sub(self.camera.eye, position));
+                let image = (apart * apart + 4.0 * eye * lamp).sqrt();
+                let pixel = self.pixel() * (1.0 + eye / lamp);
+                Seen {
+                    pixel,
+                    retro: pixel,
+                    light: angle(light, image * lamp / (eye + lamp)),
+                }
+            }
+        })
+    }
+
+    /// Of all lights the widest pixel, and the smallest light.
+    fn through(&self, seen: impl Fn(&LightDescription) -> Seen) -> Seen {
+        let all = self.lights.iter().map(seen);
+        all.reduce(|a, b| Seen {
+            pixel: a.pixel.max(b.pixel),
+            retro: a.retro.max(b.retro),
+            light: a.light.min(b.light),
+        })
+        .unwrap_or_default()
+    }
+
+    /// Angle between two pixels in the middle of the picture.
+    fn pixel(&self) -> f64 {
+        2.0 * half_pixel(&self.camera)
+    }
+}
+
+/// A light's angular diameter from a distance.
+fn angle(light: &LightDescription, distance: f64) -> f64 {
+    match light.kind {
+        LightKind::Directional { .. } => light.size,
+        LightKind::Point { .. } | LightKind::Flood { .. } => light.size / distance,
+    }
+}
+
+/// Unit vector to a light, and its distance.
+fn towards(light: &LightDescription, from: [f64; 3]) -> ([f64; 3], f64) {
+    match light.kind {
+        LightKind::Directional { direction } => (direction, f64::INFINITY),
+        LightKind::Point { position, .. } | LightKind::Flood { position, .. } => {
+            let to_light = sub(position, from);
+            let distance = length(to_light);
+            (to_light.map(|c| c / distance), distance)
+        }
+    }
+}
+
+/// Materials in use, each once.
+#[derive(Default)]
+struct Widened {
+    materials: Vec<(String, Material)>,
+}
+
+impl Widened {
+    fn index(&mut self, given: &[(String, Material)], index: usize, seen: Seen) -> usize {
+        let (name, material) = &given[index];
+        let entry = (name.clone(), material.widened(seen));
+        let known = self.materials.iter().position(|known| *known == entry);
+        known.unwrap_or_else(|| {
+            self.materials.push(entry);
+            self.materials.len() - 1
+        })
+    }
+}
+
+impl Material {
+    fn widened(&self, seen: Seen) -> Self {
+        // What fixed point takes, and no lobe that is wider than that already.
+        let lobe = |n: f64, pixel| {
+            let variance = seen.variance(1.0 / n, LEAST_LOBE * pixel);
+            (1.0 / variance).clamp(n.min(1.0), n)
+        };
+        let mut material = self.clone();
+        match &mut material {
+            Self::Phong {
+                exponent,
+                retro: true,
+                ..
+            } => *exponent = lobe(*exponent, seen.retro),
+            Self::Phong { exponent, .. }
+            | Self::Metal { exponent, .. }
+            | Self::Plastic { exponent, .. } => *exponent = lobe(*exponent, seen.pixel),
+            Self::Patch { radius } => {
+                let least = 0.5 * LEAST_DISC * seen.pixel;
+                let variance = seen.variance(0.25 * *radius * *radius, least);
+                *radius = (4.0 * variance).sqrt().clamp(*radius, 2.0);
+            }
+            Self::PatchExponential { sharpness } => {
+                let least = 3f64.sqrt() * LEAST_EXPONENTIAL * seen.pixel;
+                let variance = seen.variance(3.0 / (*sharpness * *sharpness), least);
+                *sharpness = (3.0 / variance).sqrt().min(*sharpness);
+            }
+            Self::PatchProfile { .. } | Self::Lambert { .. } => {}
+        }
+        material
+    }
+}
+
+impl Seen {
+    /// What becomes of a variance whose root is to be at least `least`.
+    fn variance(self, own: f64, least: f64) -> f64 {
+        // A light is a disc.
+        let spread = own + (0.25 * self.light).powi(2);
+        spread.max(least * least)
+    }
+}
