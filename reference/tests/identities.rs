@@ -86,7 +86,7 @@ fn a_conductor_without_absorption_is_a_dielectric() {
         }
         let grey = Metal::from_indices(9.0, [eta; 3], [0.0; 3]).unwrap();
         let index = Index::new(eta, 0.0).unwrap();
-        let plastic = PlasticFresnel::new([0.0; 3], 1.0, 9.0, index).unwrap();
+        let plastic = PlasticFresnel::new([0.0; 3], [1.0; 3], 9.0, index).unwrap();
         same(&grey, &plastic, 1e-12);
     }
 }

@@ -47,7 +47,7 @@ pub enum Material {
         /// Where its colour comes from.
         reflectance: Reflectance,
     },
-    /// A plastic (3.31).
+    /// A plastic or a ceramic (3.30, 3.31).
     Plastic {
         /// Diffuse albedo.
         albedo: Colour,
@@ -55,6 +55,9 @@ pub enum Material {
         specular: Colour,
         /// n.
         exponent: f64,
+        /// Real index of refraction, for Fresnel's factor (3.30); without one
+        /// it is 1 (3.31).
+        index: Option<f64>,
     },
 }
 
@@ -168,6 +171,10 @@ impl Material {
                 albedo: table.required("albedo")?.colour(0.0..=1.0)?,
                 specular: table.required("specular")?.colour(0.0..=1.0)?,
                 exponent: exponent()?,
+                index: match table.optional("index") {
+                    Some(index) => Some(index.number(1.0..=4.0)?),
+                    None => None,
+                },
             },
             _ => return Err(model.fault(format!("one of {}", list(&MODELS)))),
         };

@@ -43,6 +43,8 @@ pub enum AnyModel<A: Arithmetic> {
     Metal(Box<Metal<A>>),
     /// Diffuser and highlight.
     Plastic(Box<Plastic<A>>),
+    /// The same with Fresnel's factor.
+    FresnelPlastic(Box<Plastic<A, Metal<A>>>),
 }
 
 macro_rules! each {
@@ -93,6 +95,10 @@ macro_rules! each {
                 $result
             }
             AnyModel::Plastic($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::FresnelPlastic($model) => {
                 let $model = &**$model;
                 $result
             }
@@ -149,11 +155,16 @@ impl Material {
                 albedo,
                 specular,
                 exponent,
-            } => AnyModel::Plastic(Box::new(A::plastic(
-                albedo.rgb(),
-                specular.rgb(),
-                *exponent,
-            )?)),
+                index,
+            } => {
+                let plastic = A::plastic(albedo.rgb(), specular.rgb(), *exponent)?;
+                match index {
+                    None => AnyModel::Plastic(Box::new(plastic)),
+                    Some(index) => AnyModel::FresnelPlastic(Box::new(
+                        plastic.with_fresnel(Reflectance::dielectric(*index).curve()),
+                    )),
+                }
+            }
         })
     }
 
@@ -239,10 +250,23 @@ impl Material {
                 albedo,
                 specular,
                 exponent,
+                index: None,
             } => Box::new(
                 exact::plastic::Plastic::new(albedo.rgb(), specular.rgb(), exponent)
                     .expect(CHECKED),
             ),
+            Self::Plastic {
+                albedo,
+                specular,
+                exponent,
+                index: Some(index),
+            } => {
+                let index = reference::fresnel::Index::new(index, 0.0).expect(CHECKED);
+                Box::new(
+                    exact::PlasticFresnel::new(albedo.rgb(), specular.rgb(), exponent, index)
+                        .expect(CHECKED),
+                )
+            }
         }
     }
 
@@ -264,6 +288,15 @@ impl Material {
 }
 
 impl Reflectance {
+    /// That of a real index of refraction.
+    #[must_use]
+    pub fn dielectric(index: f64) -> Self {
+        Self::Index {
+            eta: [index; 3],
+            k: [0.0; 3],
+        }
+    }
+
     /// The Fresnel factor at a cosine, per channel.
     ///
     /// # Panics

@@ -10,7 +10,7 @@ use crate::curve::cosine_curve;
 use crate::description::{CameraDescription, Description, PlaneDescription};
 use crate::host::HostArithmetic;
 use crate::lamp::{AnyLight, rounded};
-use crate::material::Material;
+use crate::material::{Material, Reflectance};
 use crate::model::AnyModel;
 use crate::reader::Colour;
 use crate::vector::{cross, dot, length, sub};
@@ -141,18 +141,22 @@ impl Material {
                 albedo,
                 specular,
                 exponent,
-            } => vec![
-                (white, albedo.rgb()),
-                (
-                    Self::Phong {
+                index,
+            } => {
+                let highlight = match index {
+                    None => Self::Phong {
                         exponent: *exponent,
                         p: 1.0,
                         retro: false,
                         energy: reference::Energy::Published,
                     },
-                    specular.rgb(),
-                ),
-            ],
+                    Some(index) => Self::Metal {
+                        exponent: *exponent,
+                        reflectance: Reflectance::dielectric(*index),
+                    },
+                };
+                vec![(white, albedo.rgb()), (highlight, specular.rgb())]
+            }
             _ => vec![(self.clone(), [1.0; 3])],
         }
     }

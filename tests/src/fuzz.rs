@@ -183,8 +183,13 @@ fn material(source: &mut Unstructured<'_>) -> arbitrary::Result<String> {
         }
         _ => {
             let albedo = unit(source)?;
+            let index = if bool::arbitrary(source)? {
+                ", index = 1.5"
+            } else {
+                ""
+            };
             format!(
-                "model = \"plastic\", albedo = {albedo}, specular = {}, exponent = {}",
+                "model = \"plastic\", albedo = {albedo}, specular = {}, exponent = {}{index}",
                 (1.0 - albedo) * unit(source)?,
                 exponent(source)?
             )

@@ -17,6 +17,7 @@ const LINES: &[&str] = &[
     "[material.it]\nmodel = \"metal\"\nmetal = \"gold\"\nexponent = 36",
     "[material.it]\nmodel = \"plastic\"\nalbedo = 0.5\nspecular = 0.25\nexponent = 9",
     "[material.other]\nmodel = \"patch\"\nradius = 0.5",
+    "[material.glossy]\nmodel = \"plastic\"\nalbedo = 0.5\nspecular = 0.25\nexponent = 9\nindex = 1.5",
     "[daylight]\ncolor = [0.6, 0.6, 0.6]",
     "exposure = 0.5\nname = \"it\"",
     "background = [0.1, 0.2, 0.3]",

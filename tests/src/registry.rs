@@ -6,7 +6,7 @@ use crate::domain::{Pair, Set};
 
 /// A material by its TOML, and what a set of samples needs to know of it.
 pub struct Entry {
-    /// Name of the model, as in material files.
+    /// Name of the model, as in material files, but for a plastic with an index.
     pub model: &'static str,
     /// The table, as one line.
     pub toml: String,
@@ -47,7 +47,11 @@ pub fn all() -> Vec<Entry> {
     let mut entries = Vec::new();
     let mut add = |model: &'static str, fields: String, n: f64| {
         entries.push(Entry {
-            model,
+            model: if fields.contains("index = ") {
+                "plastic with index"
+            } else {
+                model
+            },
             toml: format!("model = \"{model}\", {fields}"),
             n,
         });
@@ -62,6 +66,15 @@ pub fn all() -> Vec<Entry> {
         add(
             "plastic",
             format!("albedo = [0.6, 0.2, 0.1], specular = 0.3, exponent = {n}"),
+            n,
+        );
+    }
+    for n in [1.0, 20.0, 500.0, 5e3] {
+        add(
+            "plastic",
+            format!(
+                "albedo = [0.6, 0.2, 0.1], specular = [0.3, 0.2, 0.4], exponent = {n}, index = 1.5"
+            ),
             n,
         );
     }

@@ -21,7 +21,7 @@ pub enum Exposure {
 pub struct Tolerance {
     /// Arithmetic.
     pub arithmetic: &'static str,
-    /// Model, as in material files.
+    /// Model, as in the registry.
     pub model: &'static str,
     /// Exposure.
     pub exposure: Exposure,
@@ -74,6 +74,8 @@ pub const TABLE: &[Tolerance] = &[
     row("f32", "retro-phong", Peak, ANY, 0.51, 0.01),
     row("f32", "plastic", One, ANY, 0.51, 0.01),
     row("f32", "plastic", Peak, ANY, 0.51, 0.01),
+    row("f32", "plastic with index", One, ANY, 0.52, 0.01),
+    row("f32", "plastic with index", Peak, ANY, 0.52, 0.01),
     row("f32", "patch", One, ANY, 0.51, 0.01),
     row("f32", "patch", Peak, ANY, 0.51, 0.01),
     row("f32", "patch-exponential", One, ANY, 0.51, 0.01),
@@ -96,6 +98,8 @@ pub const TABLE: &[Tolerance] = &[
     row("q31", "plastic", One, ANY, 0.52, 0.01),
     row("q31", "plastic", Peak, MODERATE, 0.51, 0.01),
     row("q31", "plastic", Peak, EXTREME, 6.87, 0.53),
+    row("q31", "plastic with index", One, ANY, 0.52, 0.01),
+    row("q31", "plastic with index", Peak, ANY, 0.52, 0.01),
     row("q31", "patch", One, ANY, 0.51, 0.01),
     row("q31", "patch", Peak, MODERATE, 0.51, 0.01),
     row("q31", "patch", Peak, EXTREME, 0.47, 0.01),
@@ -117,6 +121,8 @@ pub const TABLE: &[Tolerance] = &[
     row("micromath", "retro-phong", Peak, ANY, 0.84, 0.05),
     row("micromath", "plastic", One, ANY, 0.70, 0.03),
     row("micromath", "plastic", Peak, ANY, 0.74, 0.03),
+    row("micromath", "plastic with index", One, ANY, 0.69, 0.02),
+    row("micromath", "plastic with index", Peak, ANY, 0.73, 0.03),
     row("micromath", "patch", One, ANY, 0.51, 0.01),
     row("micromath", "patch", Peak, ANY, 0.51, 0.01),
     row("micromath", "patch-exponential", One, ANY, 0.63, 0.03),
@@ -143,6 +149,8 @@ pub const TABLE: &[Tolerance] = &[
     row("q15", "plastic", Peak, COMMON, 0.66, 0.04),
     row("q15", "plastic", Peak, SHARP, 1.04, 0.10),
     row("q15", "plastic", Peak, EXTREME, 75.89, 0.21),
+    row("q15", "plastic with index", One, ANY, 0.71, 0.06),
+    row("q15", "plastic with index", Peak, ANY, 0.67, 0.03),
     row("q15", "patch", One, ANY, 0.51, 0.01),
     row("q15", "patch", Peak, COMMON, 0.51, 0.01),
     row("q15", "patch", Peak, SHARP, 0.42, 0.01),

@@ -117,7 +117,7 @@ fn bound<A: Tested>(entry: &registry::Entry) -> f64 {
         "lambert" | "patch" => {
             4.0 * A::UNIT_STEP + A::DIRECTION_NOISE * entry.n.sqrt().max(1.0) * A::COMPONENT_ERROR
         }
-        "metal" => lobe + 2e-5,
+        "metal" | "plastic with index" => lobe + 4.0 * A::UNIT_STEP + 2e-5,
         // e^(−s·m) with the error of m times s.
         "patch-exponential" => {
             lobe + 5e-8 + 2.0 * A::COMPONENT_ERROR * entry.n.sqrt() * 8f64.sqrt()
@@ -136,7 +136,9 @@ fn every_model_keeps_the_references_albedo<A: Tested>() {
         // One exponent shows a metal's colours, and what surrounds the lobe.
         let few = match entry.model {
             "metal" => entry.n == 20.0 || entry.n == 40.0,
-            "phong" | "retro-phong" | "plastic" => [1.0, 20.0, 5e3, 1e8].contains(&entry.n),
+            "phong" | "retro-phong" | "plastic" | "plastic with index" => {
+                [1.0, 20.0, 5e3, 1e8].contains(&entry.n)
+            }
             _ => true,
         };
         if !few || !resolved::<A>(entry.n) {

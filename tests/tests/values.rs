@@ -21,6 +21,7 @@ in_every_arithmetic!(
     the_p_model_lies_between_at_its_power,
     the_ratio_is_of_light_to_viewer,
     plastic_is_the_sum_of_its_parts,
+    an_index_puts_fresnels_factor_on_the_highlight,
 );
 
 fn model<A: Tested>(toml: &str) -> AnyModel<A> {
@@ -376,5 +377,31 @@ fn plastic_is_the_sum_of_its_parts<A: Tested>() {
         close(whole, sum, A::PRODUCT_ERROR * sum + 2e-8);
         let f = brdf(&lambert, &geometry)[0] + 0.25 * brdf(&lobe, &geometry)[0];
         close(brdf(&plastic, &geometry)[0], f, A::PRODUCT_ERROR * f + 2e-9);
+    }
+}
+
+/// (3.30) against (3.31): the highlight times F(Θmin), the diffuser as it is.
+fn an_index_puts_fresnels_factor_on_the_highlight<A: Tested>() {
+    let parts = "model = \"plastic\", albedo = [0.1, 0.4, 0.2], specular = [0.3, 0.1, 0.6]";
+    let white = model::<A>(&format!("{parts}, exponent = 6"));
+    let glossy = model::<A>(&format!("{parts}, exponent = 6, index = 1.5"));
+    assert_eq!(white.peak(), glossy.peak());
+    for (theta_l, theta_v) in [(10.0, 25.0), (60.0, 70.0), (84.0, 80.0), (30.0, 75.0)] {
+        let geometry = frame::<A>(at(theta_l, 0.0), at(theta_v, 176.0));
+        let (l, v) = (at(theta_l, 0.0), at(theta_v, 176.0));
+        let fresnel = conductor(1.5, 0.0, l[2].max(v[2]));
+        let (without, with) = (brdf(&white, &geometry), brdf(&glossy, &geometry));
+        for (channel, albedo) in [0.1, 0.4, 0.2].into_iter().enumerate() {
+            let body = albedo * std::f64::consts::FRAC_1_PI;
+            let highlight = without[channel] - body;
+            assert!(highlight > 0.01, "{highlight}");
+            // The curve of glass is off by 1.4e-4.
+            let room = (3e-4 + 2.0 * A::PRODUCT_ERROR) * without[channel] + 2e-9;
+            close(with[channel], body + fresnel * highlight, room);
+            let reflected = A::radiance_value(glossy.reflect(&geometry).to_array()[channel]);
+            close(reflected, with[channel] * l[2], room);
+            let whole = A::scale_value(glossy.peak()) * share(&glossy, &geometry)[channel];
+            close(whole, with[channel] * l[2], room);
+        }
     }
 }

@@ -1,23 +1,27 @@
-//! Plastics: a diffuser under a highlight (3.31).
+//! Plastics and ceramics: a diffuser under a highlight (3.30, 3.31).
 
 use fixed::types::{U1F31, U32F32};
 
-use super::{Brdf, Lambert, MetallicPhong, Shape, tinted_brdf};
+use super::{Brdf, Lambert, Metal, MetallicPhong, Shape, tinted_brdf};
 use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
+use crate::table::CosineCurve;
 
 /// f = a/π + a_s · c_n · cosⁿα / cosΘmin (3.31), for an albedo a and a
 /// specular share a_s, each of red, green and blue.
+///
+/// With Fresnel's factor F(Θmin) of a real index on the highlight it is (3.30):
+/// [`Plastic::with_fresnel`] makes its `H` a [`Metal`].
 ///
 /// The peak is the sum of the parts' greatest values. In `q31` a share has 31 fraction
 /// bits of that sum, so for n above 1e5 the diffuse part of
 /// [`Brdf::share`] is coarse; BRDF and reflected radiance are not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plastic<A: Arithmetic> {
+pub struct Plastic<A: Arithmetic, H = MetallicPhong<A>> {
     diffuse: Lambert<A>,
-    highlight: MetallicPhong<A>,
+    highlight: H,
     specular: Rgb<A::Unit>,
     peak: A::Scale,
     /// The parts' shares of the peak.
@@ -122,6 +126,22 @@ macro_rules! in_fixed_point {
 in_fixed_point!(Q31);
 in_fixed_point!(Q15);
 
+impl<A: Arithmetic> Plastic<A> {
+    /// The same with Fresnel's factor on its highlight (3.30): `fresnel`, a
+    /// curve over cosΘmin that reaches 1 at grazing, so that the peak stays.
+    #[must_use]
+    pub const fn with_fresnel(self, fresnel: CosineCurve) -> Plastic<A, Metal<A>> {
+        Plastic {
+            diffuse: self.diffuse,
+            highlight: Metal::new(self.highlight, fresnel),
+            specular: self.specular,
+            peak: self.peak,
+            diffuse_weight: self.diffuse_weight,
+            highlight_weight: self.highlight_weight,
+        }
+    }
+}
+
 /// share · peak.
 const fn times(share: u32, peak: u64) -> u64 {
     ((share as u128 * peak as u128) >> 31) as u64
@@ -154,7 +174,7 @@ const fn greatest(colour: Rgb<U1F31>) -> u32 {
     greatest
 }
 
-impl<A: Arithmetic> Brdf<A> for Plastic<A> {
+impl<A: Arithmetic, H: Shape<Arithmetic = A>> Brdf<A> for Plastic<A, H> {
     #[inline]
     fn peak(&self) -> A::Scale {
         self.peak

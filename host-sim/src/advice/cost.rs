@@ -124,7 +124,13 @@ fn kind(material: &Material) -> (&'static str, (&'static str, f64)) {
         // Its cost is the same for all points.
         Material::PatchProfile { .. } => ("profile", ("points", 0.0)),
         Material::Metal { exponent, .. } => ("metal", ("exponent", *exponent)),
-        Material::Plastic { exponent, .. } => ("plastic", ("exponent", *exponent)),
+        Material::Plastic {
+            exponent,
+            index: None,
+            ..
+        } => ("plastic", ("exponent", *exponent)),
+        // As above.
+        Material::Plastic { exponent, .. } => ("plastic with index", ("exponent", *exponent)),
     }
 }
 

@@ -25,7 +25,7 @@ const SMALLEST_FLASH: u64 = 8 << 10;
 const SMALLEST_RAM: u64 = 2 << 10;
 
 /// A material of each model, with parameters of its own.
-const MODELS: [(&str, &str); 9] = [
+const MODELS: [(&str, &str); 10] = [
     ("lambert", "model = \"lambert\"\nalbedo = [0.7, 0.5, 0.3]"),
     ("phong", "model = \"phong\"\nexponent = 21"),
     (
@@ -46,6 +46,10 @@ const MODELS: [(&str, &str); 9] = [
     (
         "plastic",
         "model = \"plastic\"\nalbedo = 0.5\nspecular = 0.25\nexponent = 28",
+    ),
+    (
+        "ceramic",
+        "model = \"plastic\"\nalbedo = 0.5\nspecular = 0.25\nexponent = 29\nindex = 1.5",
     ),
 ];
 

@@ -44,6 +44,11 @@ pub fn label(material: &Material) -> String {
             };
             format!("{name}, n = {exponent}")
         }
-        Material::Plastic { exponent, .. } => format!("plastic, n = {exponent}"),
+        Material::Plastic {
+            exponent, index, ..
+        } => {
+            let index = index.map_or_else(String::new, |index| format!(", index {index}"));
+            format!("plastic, n = {exponent}{index}")
+        }
     }
 }
