@@ -153,6 +153,12 @@ fn pixel(
             hits.push((depth, plane.normal, material, edge));
         }
     }
+    // What is seen of a mesh was resolved when the scene was read, for all
+    // arithmetics alike: there it jumps nowhere.
+    if let Some(seen) = description.view.as_ref().and_then(|view| view.at(x, y)) {
+        hits = vec![(seen.depth, seen.normal, seen.material, f64::INFINITY)];
+        jump = f64::INFINITY;
+    }
     hits.sort_by(|a, b| a.0.total_cmp(&b.0));
     if let [first, second, ..] = hits[..] {
         jump = jump.min((second.0 - first.0) / first.0);

@@ -1,6 +1,7 @@
 //! A scene as Rust source: constants in flash, and just the types it needs.
 
 mod lamps;
+mod view;
 
 use std::fmt::Write as _;
 
@@ -34,7 +35,8 @@ pub fn bake<A: HostArithmetic>(description: &Description) -> Result<String, Stri
         material::<A>(code, index, name, coat);
     }
     materials(code, prepared.coats.len());
-    scene::<A>(code, &prepared, lamp);
+    let view = view::bake(code, prepared.view.as_ref());
+    scene::<A>(code, &prepared, lamp, view);
     Ok(out)
 }
 
@@ -265,7 +267,12 @@ fn planes<A: HostArithmetic>(prepared: &Prepared<A>) -> (&'static str, String) {
     (kind, prepared.planes.iter().map(value).collect())
 }
 
-fn scene<A: HostArithmetic>(code: &mut String, prepared: &Prepared<A>, lamp: &str) {
+fn scene<A: HostArithmetic>(
+    code: &mut String,
+    prepared: &Prepared<A>,
+    lamp: &str,
+    (seen, view): (String, String),
+) {
     let lengths = |values: &[A::Length]| {
         let values: Vec<_> = values
             .iter()
@@ -294,9 +301,9 @@ fn scene<A: HostArithmetic>(code: &mut String, prepared: &Prepared<A>, lamp: &st
     let [r, g, b] = prepared.background.to_raw();
     let _ = write!(
         code,
-        "static SCENE: Scene<'static, A, Material, {ground}, {lamp}> = Scene {{\n    camera: Camera {{\n        \
+        "static SCENE: Scene<'static, A, Material, {ground}, {lamp}, {seen}> = Scene {{\n    camera: Camera {{\n        \
          width: {}, height: {},\n        forward: {},\n        right: {},\n        up: {},\n    \
-         }},\n    spheres: &[\n{spheres}    ],\n    planes: &[\n{planes}    ],\n    \
+         }},\n    view: {view},\n    spheres: &[\n{spheres}    ],\n    planes: &[\n{planes}    ],\n    \
          lights: &LIGHTS,\n    materials: &MATERIALS,\n    \
          background: Linear::from_raw({r}, {g}, {b}),\n}};\n\n\
          /// Shades row `y`, calling `sink` with each column and its light, left to right.\n\

@@ -13,6 +13,11 @@ const GREATEST_SIZE: u64 = 1 << 20;
 /// The file is missing, is no readable file, is larger than 1 MiB or is not
 /// UTF-8.
 pub fn read(path: &Path) -> Result<String, SceneError> {
+    read_at_most(path, GREATEST_SIZE)
+}
+
+/// Reads a text file of at most so many bytes.
+pub(crate) fn read_at_most(path: &Path, greatest_size: u64) -> Result<String, SceneError> {
     let fault = |message: String| SceneError {
         source_name: path.display().to_string(),
         place: None,
@@ -22,9 +27,9 @@ pub fn read(path: &Path) -> Result<String, SceneError> {
     if !size.is_file() {
         return Err(fault("is not a file".to_owned()));
     }
-    if size.len() > GREATEST_SIZE {
+    if size.len() > greatest_size {
         return Err(fault(format!(
-            "has {} bytes: must be at most {GREATEST_SIZE}",
+            "has {} bytes: must be at most {greatest_size}",
             size.len()
         )));
     }

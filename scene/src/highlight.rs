@@ -6,8 +6,11 @@
 //! own. What then is too narrow for samples a pixel apart, by the spectrum of
 //! its shape, gets the least width that is not: `tests/tests/flicker.rs`.
 
+use std::collections::BTreeMap;
+
 use crate::description::{Description, LightDescription, LightKind};
 use crate::material::Material;
+use crate::mesh::Mirrored;
 use crate::prepare::half_pixel;
 use crate::vector::{dot, length, sub};
 
@@ -46,6 +49,7 @@ impl Description {
     pub(crate) fn widen_highlights(&mut self) -> Result<(), usize> {
         let spheres: Vec<_> = (0..self.spheres.len()).map(|i| self.on_sphere(i)).collect();
         let planes: Vec<_> = (0..self.planes.len()).map(|i| self.on_plane(i)).collect();
+        let meshes = self.on_meshes();
         let mut widened = Widened::default();
         for (sphere, seen) in self.spheres.iter_mut().zip(spheres) {
             sphere.material = widened.index(&self.materials, sphere.material, seen);
@@ -56,11 +60,81 @@ impl Description {
                 checker.material = widened.index(&self.materials, checker.material, seen);
             }
         }
+        let renumbered: BTreeMap<_, _> = meshes
+            .into_iter()
+            .map(|(material, seen)| (material, widened.index(&self.materials, material, seen)))
+            .collect();
+        if let Some(view) = &mut self.view {
+            for pixel in view.pixels.iter_mut().flatten() {
+                pixel.material = renumbered[&pixel.material];
+            }
+        }
         if widened.materials.len() > GREATEST_COUNT {
             return Err(widened.materials.len());
         }
         self.materials = widened.materials;
         Ok(())
+    }
+
+    /// On what is seen of meshes, for each of their materials.
+    fn on_meshes(&self) -> BTreeMap<usize, Seen> {
+        let Some(view) = &self.view else {
+            return BTreeMap::new();
+        };
+        let mirrored = view.mirrored(&self.camera);
+        let used: BTreeMap<_, _> = mirrored
+            .iter()
+            .flatten()
+            .map(|at| (at.material, Seen::default()))
+            .collect();
+        let on = |material| self.through(|light| self.on_mesh(light, &mirrored, material));
+        used.into_keys().map(|key| (key, on(key))).collect()
+    }
+
+    /// Where a mesh mirrors the light best: how fast what is mirrored turns
+    /// from there to the next pixels, the median of them.
+    fn on_mesh(
+        &self,
+        light: &LightDescription,
+        mirrored: &[Option<Mirrored>],
+        material: usize,
+    ) -> Seen {
+        let of_it = |index: usize| {
+            let at = mirrored.get(index).copied().flatten();
+            at.filter(|at| at.material == material)
+        };
+        let brightness = |at: &Mirrored| dot(at.direction, towards(light, at.place).0);
+        let best = (0..mirrored.len())
+            .filter_map(|index| Some((index, of_it(index)?)))
+            .max_by(|(_, a), (_, b)| brightness(a).total_cmp(&brightness(b)));
+        let Some((index, best)) = best else {
+            return Seen::default();
+        };
+        let (_, lamp) = towards(light, best.place);
+        let width = usize::from(self.camera.width);
+        let mut turns: Vec<_> = [index.wrapping_sub(1), index + 1]
+            .into_iter()
+            // Not around the end of a row.
+            .filter(|next| next / width == index / width)
+            .chain([index.wrapping_sub(width), index + width])
+            .filter_map(of_it)
+            .map(|next| {
+                length(sub(next.direction, best.direction))
+                    + length(sub(next.place, best.place)) / lamp
+            })
+            .collect();
+        turns.sort_by(f64::total_cmp);
+        let across = self.pixel() * length(sub(best.place, self.camera.eye)) / lamp;
+        let least = self.pixel() + across;
+        Seen {
+            pixel: turns
+                .get(turns.len() / 2)
+                .copied()
+                .unwrap_or(least)
+                .max(least),
+            retro: least,
+            light: angle(light, lamp),
+        }
     }
 
     /// On a sphere.

@@ -12,6 +12,7 @@ mod highlight;
 mod host;
 mod lamp;
 mod material;
+mod mesh;
 mod model;
 mod prepare;
 mod profile;
@@ -30,6 +31,10 @@ pub use error::SceneError;
 pub use host::HostArithmetic;
 pub use lamp::AnyLight;
 pub use material::{Material, Reflectance};
+pub use mesh::{
+    AnyView, Obj, ObjError, ObjTriangle, PreparedView, Seen, SeenView, StoredNormals, encode,
+    greatest_error,
+};
 pub use model::AnyModel;
 pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel, plane_axes};
 pub use profile::Profile;

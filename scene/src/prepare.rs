@@ -7,10 +7,11 @@ use microbrdf_reference as reference;
 
 use crate::albedo::AlbedoTable;
 use crate::curve::cosine_curve;
-use crate::description::{CameraDescription, Description, PlaneDescription};
+use crate::description::{CameraDescription, Description, LightKind, PlaneDescription};
 use crate::host::HostArithmetic;
 use crate::lamp::{AnyLight, rounded};
 use crate::material::{Material, Reflectance};
+use crate::mesh::PreparedView;
 use crate::model::AnyModel;
 use crate::reader::Colour;
 use crate::vector::{cross, dot, length, sub};
@@ -20,6 +21,8 @@ use crate::vector::{cross, dot, length, sub};
 pub struct Prepared<A: HostArithmetic> {
     /// Where it is seen from.
     pub camera: Camera<A>,
+    /// What is seen of its meshes.
+    pub view: Option<PreparedView<A>>,
     /// Its spheres.
     pub spheres: Vec<Sphere<A>>,
     /// Its planes, those of one material as a checker of twice the same.
@@ -76,6 +79,11 @@ impl Description {
         }
         Ok(Prepared {
             camera: camera(&self.camera),
+            view: self.view.as_ref().map(|view| {
+                let lamp = |kind| !matches!(kind, LightKind::Directional { .. });
+                let lamps = self.lights.iter().any(|light| lamp(light.kind));
+                PreparedView::new(view, &self.materials, lamps)
+            }),
             spheres: self
                 .spheres
                 .iter()

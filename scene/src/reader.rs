@@ -115,6 +115,22 @@ impl<'t, 'i> Table<'t, 'i> {
             .collect()
     }
 
+    /// The values with their names, for tables whose keys are free.
+    pub(crate) fn values(&self) -> Vec<(String, Value<'t, 'i>)> {
+        self.entries
+            .iter()
+            .map(|(key, value)| {
+                let name: &str = key.get_ref();
+                let value = Value {
+                    offset: value.span().start,
+                    name: self.path(name),
+                    value: value.get_ref(),
+                };
+                (name.to_owned(), value)
+            })
+            .collect()
+    }
+
     /// Complains of fields that no call asked for.
     pub(crate) fn finish(&self) -> Result<(), Fault> {
         let known = self.known.borrow();

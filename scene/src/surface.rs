@@ -6,6 +6,7 @@ use microbrdf::shade::{AlbedoDaylight, Checker, Coat, Daylight, Light, Scene, Su
 
 use crate::host::HostArithmetic;
 use crate::lamp::AnyLight;
+use crate::mesh::AnyView;
 use crate::model::AnyModel;
 use crate::prepare::{Prepared, PreparedCoat};
 
@@ -89,9 +90,10 @@ impl<A: HostArithmetic> SceneParts<A> {
     pub fn scene<'a>(
         &'a self,
         materials: &'a [AnySurface<'a, A>],
-    ) -> Scene<'a, A, AnySurface<'a, A>, Checker<A>, AnyLight<A>> {
+    ) -> Scene<'a, A, AnySurface<'a, A>, Checker<A>, AnyLight<A>, AnyView<'a, A>> {
         Scene {
             camera: self.prepared.camera,
+            view: AnyView(self.prepared.view.as_ref()),
             spheres: &self.prepared.spheres,
             planes: &self.prepared.planes,
             lights: &self.prepared.lights,

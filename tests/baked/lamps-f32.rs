@@ -117,13 +117,14 @@ impl Surface<A> for Material {
 
 static MATERIALS: [Material; 5] = [Material::Material0(&MATERIAL_0), Material::Material1(&MATERIAL_1), Material::Material2(&MATERIAL_2), Material::Material3(&MATERIAL_3), Material::Material4(&MATERIAL_4), ];
 
-static SCENE: Scene<'static, A, Material, Checker<A>, Lamp> = Scene {
+static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView> = Scene {
     camera: Camera {
         width: 96, height: 64,
         forward: [f32::from_bits(0x00000000), f32::from_bits(0x3f78c4da), f32::from_bits(0xbe71a949)],
         right: [f32::from_bits(0x3ba16ed8), f32::from_bits(0x80000000), f32::from_bits(0x00000000)],
         up: [f32::from_bits(0x00000000), f32::from_bits(0x3a986419), f32::from_bits(0x3b9cdf83)],
     },
+    view: NoView,
     spheres: &[
         Sphere { eye: [f32::from_bits(0x3fb33333), f32::from_bits(0xc0e00000), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 0 },
         Sphere { eye: [f32::from_bits(0xbf99999a), f32::from_bits(0xc0eccccd), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 1 },

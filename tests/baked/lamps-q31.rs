@@ -117,13 +117,14 @@ impl Surface<A> for Material {
 
 static MATERIALS: [Material; 5] = [Material::Material0(&MATERIAL_0), Material::Material1(&MATERIAL_1), Material::Material2(&MATERIAL_2), Material::Material3(&MATERIAL_3), Material::Material4(&MATERIAL_4), ];
 
-static SCENE: Scene<'static, A, Material, Checker<A>, Lamp> = Scene {
+static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView> = Scene {
     camera: Camera {
         width: 96, height: 64,
         forward: [I24F40::from_bits(0), I24F40::from_bits(1068454496821), I24F40::from_bits(-259481806371)],
         right: [I24F40::from_bits(5416791947), I24F40::from_bits(0), I24F40::from_bits(0)],
         up: [I24F40::from_bits(0), I24F40::from_bits(1278348426), I24F40::from_bits(5263787638)],
     },
+    view: NoView,
     spheres: &[
         Sphere { eye: [I8F24::from_bits(23488102), I8F24::from_bits(-117440512), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 0 },
         Sphere { eye: [I8F24::from_bits(-20132659), I8F24::from_bits(-124151398), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 1 },

@@ -73,8 +73,78 @@ exponent = 9
 p = 0.5
 "#;
 
+/// A teapot of two materials under a lamp, partly behind a sphere and below a
+/// plane: normals of four bytes, and depths.
+pub const MESH: &str = r#"
+background = [0.02, 0.03, 0.05]
+[camera]
+width = 64
+height = 48
+eye = [0.3, -7.0, 1.5]
+target = [0.0, 0.0, -0.2]
+fov = 25.0
+[daylight]
+color = 0.1
+[[light]]
+kind = "directional"
+direction = [-0.5, -0.7, 0.9]
+color = [0.8, 0.7, 0.7]
+[[light]]
+kind = "point"
+position = [1.5, -2.5, 2.5]
+intensity = 14
+[[mesh]]
+file = "../scenes/meshes/teapot.obj"
+position = [0.1, 0, -1.05]
+scale = 1.1
+rotate = [0, 0, 30]
+material = "clay"
+materials = { knob = "gold", spout = "gold" }
+[[plane]]
+point = [0, 0, -1]
+normal = [0, 0, 1]
+material = "floor"
+[[sphere]]
+center = [0.45, -1.7, -0.3]
+radius = 0.4
+material = "floor"
+[material.floor]
+model = "lambert"
+albedo = 0.4
+[material.clay]
+model = "plastic"
+albedo = [0.5, 0.3, 0.2]
+specular = 0.2
+exponent = 15
+[material.gold]
+model = "metal"
+metal = "gold"
+exponent = 40
+"#;
+
+/// A matt knot under a light at infinity: normals of three bytes.
+pub const MATT: &str = r#"
+[camera]
+width = 64
+height = 48
+eye = [0.5, -5.0, 3.0]
+target = [0, 0, 0]
+fov = 34
+[[light]]
+kind = "directional"
+direction = [-0.5, -0.7, 0.9]
+color = [2.8, 2.7, 2.7]
+[[mesh]]
+file = "../scenes/meshes/knot.obj"
+position = [0, 0, 0]
+material = "clay"
+[material.clay]
+model = "lambert"
+albedo = [0.6, 0.3, 0.2]
+"#;
+
 /// Scenes by name.
-pub const SCENES: [(&str, &str); 1] = [("lamps", LAMPS)];
+pub const SCENES: [(&str, &str); 3] = [("lamps", LAMPS), ("mesh", MESH), ("matt", MATT)];
 
 /// Arithmetics that they are baked in.
 pub const ARITHMETICS: [ArithmeticName; 3] = [
@@ -89,7 +159,9 @@ pub const ARITHMETICS: [ArithmeticName; 3] = [
 /// On a mistake in it.
 #[must_use]
 pub fn description(name: &str, text: &str) -> Description {
-    Description::from_toml(name, name, text).expect("a scene")
+    // Files are named as from the folder of this crate.
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/scene.toml");
+    Description::from_toml(source, name, text).expect("a scene")
 }
 
 /// A scene's Rust.

@@ -29,6 +29,12 @@ baked! {
     lamps_f32 "lamps" "f32",
     lamps_q31 "lamps" "q31",
     lamps_q15 "lamps" "q15",
+    mesh_f32 "mesh" "f32",
+    mesh_q31 "mesh" "q31",
+    mesh_q15 "mesh" "q15",
+    matt_f32 "matt" "f32",
+    matt_q31 "matt" "q31",
+    matt_q15 "matt" "q15",
 }
 
 /// The file is what the scene bakes to now, and its rows are the host's.

@@ -1,16 +1,20 @@
 //! A scene, shaded row by row.
 
-use super::{Camera, Ground, Light, Linear, Placing, Plane, Sphere, Surface, Tracing};
+use super::{
+    Camera, Ground, Light, Linear, NoView, Placing, Plane, Sphere, Surface, Tracing, View,
+};
 use crate::geometry::Direction;
 
 /// Everything that a picture is computed from. `S` is the type of its
 /// materials: an enum of all models on a host, of just the scene's own on a
-/// microcontroller; the row function is the same. `P` and `L` are those of its
-/// planes and lights in the same way.
+/// microcontroller; the row function is the same. `P`, `L` and `V` are those of
+/// its planes, lights and view in the same way.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, A: Tracing, S, P = Plane<A>, L = Direction<A>> {
+pub struct Scene<'a, A: Tracing, S, P = Plane<A>, L = Direction<A>, V = NoView> {
     /// Where it is seen from.
     pub camera: Camera<A>,
+    /// What was resolved beforehand, and hides all that follows.
+    pub view: V,
     /// Its spheres.
     pub spheres: &'a [Sphere<A>],
     /// Its planes.
@@ -23,12 +27,13 @@ pub struct Scene<'a, A: Tracing, S, P = Plane<A>, L = Direction<A>> {
     pub background: Linear,
 }
 
-impl<A, S, P, L> Scene<'_, A, S, P, L>
+impl<A, S, P, L, V> Scene<'_, A, S, P, L, V>
 where
     A: Placing,
     S: Surface<A>,
     P: Ground<A>,
     L: Light<A>,
+    V: View<A>,
 {
     /// Shades row `y`, counted from the top, and hands each pixel with its
     /// column to `sink`, from left to right.
@@ -44,7 +49,8 @@ where
     #[must_use]
     pub fn shade_pixel(&self, x: usize, y: usize) -> Linear {
         let d = A::ray(&self.camera, x, y);
-        let Some((depth, normal, material)) = self.first_hit(&d) else {
+        let seen = self.view.at(x, y).or_else(|| self.first_hit(&d));
+        let Some((depth, normal, material)) = seen else {
             return self.background;
         };
         let Some(surface) = self.materials.get(usize::from(material)) else {

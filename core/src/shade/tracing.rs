@@ -20,7 +20,7 @@ pub trait Tracing: Arithmetic {
     /// A coordinate within a unit sphere, −2 … 2.
     type Near: Copy;
     /// Distance along a ray.
-    type Depth: Copy + PartialOrd;
+    type Depth: Copy + Default + PartialOrd;
 
     /// The unit vector in which pixel (x, y) looks.
     fn ray(camera: &Camera<Self>, x: usize, y: usize) -> Self::Ray;
@@ -52,4 +52,10 @@ pub trait Tracing: Arithmetic {
         normal: &Direction<Self>,
         d: &Self::Ray,
     ) -> Option<Self::Depth>;
+
+    /// The unit vector along a vector whose coordinates are whole numbers and
+    /// have magnitudes that add up to about 2³⁰.
+    fn normalised(vector: [i32; 3]) -> Direction<Self>;
+    /// near + range · code/2¹⁶.
+    fn stored_depth(near: Self::Length, range: Self::Length, code: u16) -> Self::Depth;
 }

@@ -72,4 +72,17 @@ impl<M: Math> Tracing for Float<M> {
             None
         }
     }
+
+    #[inline]
+    fn normalised(vector: [i32; 3]) -> Direction<Self> {
+        // Few bits are set of each: exact.
+        let [x, y, z] = vector.map(|c| c as f32);
+        let scale = 1.0 / M::root(x * x + y * y + z * z);
+        Direction::new(x * scale, y * scale, z * scale)
+    }
+
+    #[inline]
+    fn stored_depth(near: f32, range: f32, code: u16) -> f32 {
+        near + range * (f32::from(code) / 65_536.0)
+    }
 }

@@ -67,6 +67,16 @@ impl<const KNOTS: usize> Tracing for Q15<KNOTS> {
         let normal = Direction::new(wide(normal.x), wide(normal.y), wide(normal.z));
         Fine::plane_depth(height, &normal, d)
     }
+
+    #[inline]
+    fn normalised(vector: [i32; 3]) -> Direction<Self> {
+        rounded(&Fine::normalised(vector))
+    }
+
+    #[inline]
+    fn stored_depth(near: I8F24, range: I8F24, code: u16) -> i64 {
+        Fine::stored_depth(near, range, code)
+    }
 }
 
 #[inline]

@@ -111,6 +111,27 @@ impl<const CELLS: usize> Tracing for Q31<CELLS> {
             None
         }
     }
+
+    #[inline]
+    fn normalised(vector: [i32; 3]) -> Direction<Self> {
+        let square = vector.iter().fold(0, |sum: u64, component| {
+            let magnitude = u64::from(component.unsigned_abs());
+            sum.wrapping_add(magnitude.wrapping_mul(magnitude))
+        });
+        // 58 fraction bits more than the vector has; from then on 30.
+        let inverse = i64::from(Root::of(square).inverse_58());
+        let [x, y, z] = vector.map(|component| {
+            let product = i64::from(component).wrapping_mul(inverse);
+            I2F30::from_bits((product >> (58 - DIRECTION)) as i32)
+        });
+        Direction::new(x, y, z)
+    }
+
+    #[inline]
+    fn stored_depth(near: I8F24, range: I8F24, code: u16) -> i64 {
+        let more = i64::from(range.to_bits()).wrapping_mul(i64::from(code)) >> 16;
+        i64::from(near.to_bits()).wrapping_add(more)
+    }
 }
 
 /// length · component, 54 fraction bits.

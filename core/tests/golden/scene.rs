@@ -107,6 +107,7 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
     ];
     let scene = Scene {
         camera,
+        view: microbrdf::shade::NoView,
         spheres: &spheres,
         planes: &planes,
         lights: &lights,

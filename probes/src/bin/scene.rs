@@ -48,6 +48,7 @@ mod probe {
                 right: fine(),
                 up: fine(),
             },
+            view: microbrdf::shade::NoView,
             spheres: &[Sphere {
                 eye: [length(), length(), length()],
                 radius: length(),

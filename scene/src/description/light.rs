@@ -4,6 +4,7 @@ use super::camera::CameraDescription;
 use super::shape::{PlaneDescription, SphereDescription};
 use super::{COORDINATE, GREATEST_LENGTH, read_unit};
 use crate::error::Fault;
+use crate::mesh::SeenView;
 use crate::reader::Table;
 use crate::vector::{dot, length, sub};
 
@@ -56,6 +57,7 @@ pub(super) fn read_light(
     camera: &CameraDescription,
     spheres: &[SphereDescription],
     planes: &[PlaneDescription],
+    view: Option<&SeenView>,
 ) -> Result<LightDescription, Fault> {
     let kind = table.required("kind")?;
     let color = |field| table.required(field)?.colour(0.0..=1e6);
@@ -66,7 +68,8 @@ pub(super) fn read_light(
         }
         name @ ("point" | "flood") => {
             let position = table.required("position")?.triple(COORDINATE)?;
-            let near = lamp_distance(table, position, camera, spheres, planes)?;
+            let near = lamp_distance(table, position, camera, spheres, planes)?
+                .min(seen_distance(position, camera, view));
             let kind = if name == "point" {
                 LightKind::Point { position, near }
             } else {
@@ -93,7 +96,20 @@ pub(super) fn read_light(
     })
 }
 
-/// Least distance of a lamp from anything in the scene; 1 where it is empty.
+/// Least distance of a lamp from what the camera sees of meshes, 0.01 or more.
+fn seen_distance(position: [f64; 3], camera: &CameraDescription, view: Option<&SeenView>) -> f64 {
+    let Some(view) = view else {
+        return f64::INFINITY;
+    };
+    view.mirrored(camera)
+        .iter()
+        .flatten()
+        .map(|at| length(sub(position, at.place)))
+        .fold(f64::INFINITY, f64::min)
+        .max(LEAST_LAMP_DISTANCE)
+}
+
+/// Least distance of a lamp from anything else in the scene; 1 where it is empty.
 fn lamp_distance(
     table: &Table<'_, '_>,
     position: [f64; 3],

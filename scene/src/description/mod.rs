@@ -2,6 +2,7 @@
 
 mod camera;
 mod light;
+mod mesh;
 mod shape;
 
 use std::collections::BTreeMap;
@@ -9,6 +10,7 @@ use std::path::Path;
 
 use crate::error::{Fault, SceneError};
 use crate::material::{Material, parse};
+use crate::mesh::{Placed, SeenView, look};
 use crate::reader::{Table, Value, list};
 use crate::vector::length;
 
@@ -18,6 +20,7 @@ pub use shape::{CheckerDescription, PlaneDescription, SphereDescription};
 
 use camera::read_camera;
 use light::read_light;
+use mesh::read_mesh;
 use shape::{read_plane, read_sphere};
 
 /// A scene as its file gives it, every value within its range and every name
@@ -32,6 +35,8 @@ pub struct Description {
     pub spheres: Vec<SphereDescription>,
     /// Its planes.
     pub planes: Vec<PlaneDescription>,
+    /// What the camera sees of its meshes, where it has some.
+    pub view: Option<SeenView>,
     /// Its lights.
     pub lights: Vec<LightDescription>,
     /// Radiance of a uniform sky, in linear RGB.
@@ -50,7 +55,7 @@ pub struct Description {
 const COORDINATE: std::ops::RangeInclusive<f64> = -1000.0..=1000.0;
 /// Greatest distance of the eye from a sphere's centre, in its radii, and of
 /// anything from the eye.
-const GREATEST_LENGTH: f64 = 127.0;
+pub(crate) const GREATEST_LENGTH: f64 = 127.0;
 /// What radiance may be multiplied by.
 const EXPOSURE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 /// Greatest number of objects of a kind.
@@ -70,16 +75,18 @@ impl Description {
     }
 
     /// Reads a scene from the text of a file; `name` is what it is called if
-    /// the text does not say.
+    /// the text does not say. The files of meshes are sought beside
+    /// `source_name`.
     ///
     /// # Errors
     /// The first mistake, with its place.
     pub fn from_toml(source_name: &str, name: &str, text: &str) -> Result<Self, SceneError> {
-        let read = || Self::read(name, &Table::new("", &parse(text)?));
+        let folder = Path::new(source_name).parent().unwrap_or(Path::new(""));
+        let read = || Self::read(name, folder, &Table::new("", &parse(text)?));
         read().map_err(|fault| fault.within(source_name, text))
     }
 
-    fn read(name: &str, table: &Table<'_, '_>) -> Result<Self, Fault> {
+    fn read(name: &str, folder: &Path, table: &Table<'_, '_>) -> Result<Self, Fault> {
         let name = match table.optional("name") {
             Some(value) => {
                 let name = value.string()?;
@@ -98,8 +105,21 @@ impl Description {
         let planes = read_all(table.optional("plane"), |plane| {
             read_plane(plane, &camera, &mut names)
         })?;
+        let view = match table.optional("mesh") {
+            None => None,
+            Some(meshes) => {
+                let (offset, name) = (meshes.offset, meshes.name.clone());
+                let triangles: Vec<Placed> = read_all(Some(meshes), |mesh| {
+                    read_mesh(mesh, folder, &camera, &mut names)
+                })?
+                .concat();
+                let view = look(&camera, &triangles, &spheres, &planes)
+                    .map_err(|message| Fault::new(offset, format!("{name}: {message}")))?;
+                Some(view)
+            }
+        };
         let lights = read_all(table.optional("light"), |light| {
-            read_light(light, &camera, &spheres, &planes)
+            read_light(light, &camera, &spheres, &planes, view.as_ref())
         })?;
         let daylight = match table.optional("daylight") {
             None => None,
@@ -131,6 +151,7 @@ impl Description {
             camera,
             spheres,
             planes,
+            view,
             lights,
             daylight,
             background,
@@ -183,7 +204,11 @@ impl Materials {
 
     /// Index of the material that an object names.
     fn index(&mut self, object: &Table<'_, '_>) -> Result<usize, Fault> {
-        let value = object.required("material")?;
+        self.index_of(&object.required("material")?)
+    }
+
+    /// Index of the material of this name.
+    fn index_of(&mut self, value: &Value<'_, '_>) -> Result<usize, Fault> {
         let name = value.string()?;
         if let Some(index) = self.used.iter().position(|(used, _)| used == name) {
             return Ok(index);

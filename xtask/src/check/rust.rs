@@ -119,6 +119,9 @@ pub fn tests() -> Vec<Step> {
     let fuzz_scenes = step("fuzz, scene files", |bench| {
         fuzz(bench, "fuzz_scene", FUZZ_FILES_SECONDS, " scenes")
     });
+    let fuzz_meshes = step("fuzz, OBJ files", |bench| {
+        fuzz(bench, "fuzz_obj", FUZZ_FILES_SECONDS, " meshes")
+    });
     let host = step("host tests", |bench| {
         let mut cargo = cargo(
             bench,
@@ -137,7 +140,7 @@ pub fn tests() -> Vec<Step> {
         }
         Ok(tally)
     });
-    vec![host, fuzz_models, fuzz_scenes]
+    vec![host, fuzz_models, fuzz_scenes, fuzz_meshes]
 }
 
 /// Documents, the package, licences: what a release needs.
