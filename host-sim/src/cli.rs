@@ -116,6 +116,10 @@ pub struct Render {
     /// PNG to write of what a display of 65 536 colours shows.
     #[arg(long)]
     pub rgb565: Option<PathBuf>,
+    /// With `--arithmetic reference`: Cook–Torrance's model with facets of
+    /// this RMS slope in place of every material, 1e-4 to 10; not in daylight.
+    #[arg(long, value_name = "SLOPE")]
+    pub facets: Option<f64>,
 }
 
 /// `compare`.

@@ -42,7 +42,7 @@ pub struct Exact {
 }
 
 struct Surface {
-    model: Box<dyn Brdf + Send + Sync>,
+    model: Model,
     albedo: Option<Arc<AlbedoTable>>,
     /// The patch radius or lobe cut at which the model jumps.
     patch: Option<f64>,
@@ -50,12 +50,21 @@ struct Surface {
 
 /// Renders the scene exactly.
 pub fn render(description: &Description) -> Exact {
+    render_as(description, &Material::reference)
+}
+
+/// What a material reflects, in double precision.
+type Model = Box<dyn Brdf + Send + Sync>;
+
+/// Renders the scene with a model of one's own for each material; daylight
+/// remains the material's.
+pub fn render_as(description: &Description, model: &dyn Fn(&Material) -> Model) -> Exact {
     let camera = &description.camera;
     let (width, height) = (usize::from(camera.width), usize::from(camera.height));
     let surfaces: Vec<_> = description
         .materials
         .iter()
-        .map(|(_, material)| surface(material, description.daylight.is_some()))
+        .map(|(_, material)| surface(material, model, description.daylight.is_some()))
         .collect();
     let lights: Vec<_> = description
         .lights
@@ -93,8 +102,8 @@ impl Exact {
     }
 }
 
-fn surface(material: &Material, daylight: bool) -> Surface {
-    let model = material.reference();
+fn surface(material: &Material, model: &dyn Fn(&Material) -> Model, daylight: bool) -> Surface {
+    let model = model(material);
     let albedo = daylight.then(|| AlbedoTable::of(material));
     let patch = match material {
         // R = 2 covers every pair.

@@ -27,6 +27,7 @@ pub fn command() -> Command {
         .subcommand(setup())
         .subcommand(firmware())
         .subcommand(demo())
+        .subcommand(gallery())
         .subcommand(measure_command())
         .subcommand(test())
 }
@@ -90,6 +91,15 @@ fn demo() -> Command {
                 .default_value("target/demo"),
         )
         .arg(yes())
+}
+
+fn gallery() -> Command {
+    subcommand(
+        "gallery",
+        "Run every scene of scenes/gallery on emulated boards; makes docs/gallery.md anew",
+        "gallery",
+    )
+    .arg(yes())
 }
 
 fn measure_command() -> Command {

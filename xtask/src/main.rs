@@ -7,6 +7,7 @@ mod command;
 mod demo;
 mod failure;
 mod firmware;
+mod gallery;
 mod host_sim;
 mod layout;
 mod measure;
@@ -23,6 +24,7 @@ use std::process::ExitCode;
 
 use clap::ArgMatches;
 
+use board::Board;
 use command::Machine;
 use failure::Outcome;
 use firmware::Order;
@@ -67,6 +69,12 @@ fn run(matches: &ArgMatches) -> Outcome<()> {
             let yes = options.get_flag("yes");
             let cross = setup::ensure(&layout, &Machine, Purpose::Measure, &order.targets(), yes)?;
             measure::command(&layout, &cross, &order)
+        }
+        Some(("gallery", options)) => {
+            let targets = Board::targets();
+            let yes = options.get_flag("yes");
+            let cross = setup::ensure(&layout, &Machine, Purpose::Demo, &targets, yes)?;
+            gallery::command(&layout, &cross)
         }
         Some(("test", options)) => {
             if options.get_flag("list") {

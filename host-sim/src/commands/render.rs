@@ -1,10 +1,12 @@
 //! `microbrdf render`.
 
+use microbrdf_reference::models::CookTorrance;
 use microbrdf_scene::Description;
 
 use super::Computed;
 use crate::cli::Render;
 use crate::exit::{Failure, Outcome};
+use crate::reference_picture::Exact;
 use crate::{reference_picture, render};
 
 /// Renders a scene to a picture, a panel's photograph, or both.
@@ -12,6 +14,11 @@ pub fn run(arguments: &Render) -> Outcome<()> {
     let computed = Computed::parse(&arguments.arithmetic)?;
     let description = Description::from_file(&arguments.scene)?;
     match computed {
+        Computed::Core(_) if arguments.facets.is_some() => {
+            return Err(Failure::Usage(
+                "--facets: is a model of the reference: needs --arithmetic reference".to_owned(),
+            ));
+        }
         Computed::Core(arithmetic) => {
             let frame = render::frame(&description, arithmetic)?;
             if let Some(panel) = &arguments.panel {
@@ -31,12 +38,28 @@ pub fn run(arguments: &Render) -> Outcome<()> {
                         .to_owned(),
                 ));
             }
+            let exact = match arguments.facets {
+                None => reference_picture::render(&description),
+                Some(slope) => faceted(&description, slope)?,
+            };
             if let Some(output) = &arguments.output {
-                reference_picture::render(&description)
-                    .srgb()
-                    .write_png(output)?;
+                exact.srgb().write_png(output)?;
             }
         }
     }
     Ok(())
+}
+
+/// The scene with facets in place of every material.
+fn faceted(description: &Description, slope: f64) -> Outcome<Exact> {
+    let fault = |message: String| Failure::Usage(format!("--facets {slope}: {message}"));
+    if description.daylight.is_some() {
+        return Err(fault(
+            "the scene has daylight: must have lights only".into(),
+        ));
+    }
+    let facets = CookTorrance::beckmann(slope).map_err(|error| fault(error.to_string()))?;
+    Ok(reference_picture::render_as(description, &|_| {
+        Box::new(facets)
+    }))
 }

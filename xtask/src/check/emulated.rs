@@ -12,6 +12,7 @@ use crate::board::{ARITHMETICS, BOARDS, Board};
 use crate::demo;
 use crate::failure::{During, Failure, Outcome};
 use crate::firmware::{self, Order};
+use crate::gallery;
 use crate::host_sim::HostSim;
 use crate::picture::Picture;
 use crate::qemu::Emulator;
@@ -41,6 +42,12 @@ pub fn steps() -> Vec<Step> {
                 move |bench| demonstrate(bench, board, arithmetic),
             ));
         }
+    }
+    for name in gallery::names() {
+        steps.push(step(format!("gallery, {name}"), move |bench| {
+            gallery::check(bench.layout, bench.cross, name)?;
+            Ok(Tally::PASSED)
+        }));
     }
     for board in BOARDS {
         let name = format!("{}, {}", OPTIONS.join(" and "), board.name);

@@ -1,0 +1,65 @@
+//! `docs/gallery.md`.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::Shown;
+
+const HEAD: &str = "# Gallery
+
+Made by `cargo xtask gallery`; `cargo xtask test --only gallery` makes every picture and figure anew and fails when one differs.
+
+Each scene of `scenes/gallery` is built into firmware, run on emulated boards and received. Side by side: as the device sent it, byte for byte what the host renders (a run in which it is not fails); in double precision; and the errors, black where the 8-bit code is that of the reference, blue one off, yellow two, red more, magenta on the other side of a jump. Errors are of 8-bit sRGB codes, `by more` and flips as [conventions.md](conventions.md) has them.
+
+Pictures of the thesis that need light from other surfaces, its figures 3.9 to 3.11, can't be made: there is no interreflection here, and no such thing is shown.
+
+## The test card
+
+What no scene shows: `microbrdf chart --arithmetic q15`, whose pixels are pairs of directions. On a sphere of 50 pixels the lobe of n = 1e5 lights none; here each lobe is as wide as its band. Columns are τ from -12 to 12, in the plane of incidence and sideways; rows are the larger cosine from 1 down to 1e-8; value and error side by side. q15's directions are coarse, so its bands at grazing are what [accuracy.md](accuracy.md) says.
+
+![The test card of q15](gallery/chart.png)
+";
+
+/// The whole document.
+pub fn markdown(shown: &[Shown], compiler: &str) -> String {
+    let mut text = format!("{HEAD}\nCompiler: {compiler}.\n");
+    for shown in shown {
+        let _ = write!(text, "\n{}", section(shown));
+    }
+    text
+}
+
+/// An exhibit's heading, words, picture and figures.
+pub fn section(shown: &Shown) -> String {
+    let exhibit = shown.exhibit;
+    let mut text = format!(
+        "## {}\n\n{}\n\n![{}](gallery/{}.png)\n\n\
+         | board | arithmetic | greatest error in LSB | off by one | by more | flips | ΔE00, 95th percentile | greatest | flash | RAM | stack |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        exhibit.title, exhibit.words, exhibit.title, exhibit.name
+    );
+    for report in &shown.reports {
+        let _ = writeln!(text, "{}", row(report));
+    }
+    text
+}
+
+fn row(report: &Value) -> String {
+    let number = |field: &str| report[field].as_f64().unwrap_or(f64::NAN);
+    let percent = |field: &str| format!("{:.2} %", 100.0 * number(field));
+    let cells = [
+        report["board"].as_str().unwrap_or_default().to_owned(),
+        format!("`{}`", report["arithmetic"].as_str().unwrap_or_default()),
+        format!("{:.2}", number("lsb_error_max")),
+        percent("code_error_share"),
+        percent("code_error_over_one_share"),
+        report["class_flips"].to_string(),
+        format!("{:.2}", number("delta_e_p95")),
+        format!("{:.2}", number("delta_e_max")),
+        report["flash_bytes"].to_string(),
+        report["ram_bytes"].to_string(),
+        report["stack_bytes"].to_string(),
+    ];
+    format!("| {} |", cells.join(" | "))
+}
