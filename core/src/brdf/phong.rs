@@ -210,3 +210,21 @@ impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> Shape for PhongLobe<A, X, P> 
         A::power(&self.power, X::versine(geometry))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use fixed::types::U32F32;
+
+    use super::MetallicPhong;
+    use crate::arithmetic::{F32, Q31};
+    use crate::brdf::Brdf;
+
+    #[test]
+    fn another_peak_is_taken() {
+        let lobe = MetallicPhong::<F32>::new(3.0).expect("n");
+        assert_eq!(lobe.with_peak(0.25).peak(), 0.25);
+        let lobe = MetallicPhong::<Q31>::new(U32F32::lit("3")).expect("n");
+        let peak = U32F32::lit("0.25");
+        assert_eq!(lobe.with_peak(peak).peak(), peak);
+    }
+}

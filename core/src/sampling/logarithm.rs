@@ -6,15 +6,14 @@ pub(super) const LOGARITHM_BITS: u32 = 58;
 pub(super) const LN_2: u64 = 0xB172_17F7_D1CF_79AC >> (64 - LOGARITHM_BITS);
 /// √½ with 64 fraction bits.
 const ROOT_HALF: u64 = 0xB504_F333_F9DE_6484;
-/// 1/3, 1/5 … 1/15 with 64 fraction bits.
-const ODD: [u64; 7] = [
+/// 1/3, 1/5 … 1/13 with 64 fraction bits.
+const ODD: [u64; 6] = [
     u64::MAX / 3,
     u64::MAX / 5,
     u64::MAX / 7,
     u64::MAX / 9,
     u64::MAX / 11,
     u64::MAX / 13,
-    u64::MAX / 15,
 ];
 
 /// a·b, all with 64 fraction bits.
