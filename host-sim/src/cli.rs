@@ -57,6 +57,13 @@ pub enum Command {
     /// Writes a scene as Rust source for firmware.
     #[command(after_help = "Example: microbrdf bake scenes/demo.toml --arithmetic q31 -o scene.rs")]
     Bake(Bake),
+    /// Measures how fast this host renders a scene, beside plain f32 with powf.
+    #[command(
+        after_help = "The scene is enlarged to 1024 pixels; the renderers take turns, and all use \
+        all cores. Times are wall clock: only their ratios within a run mean something.\n\n\
+        Example: microbrdf bench scenes/demo.toml"
+    )]
+    Bench(Bench),
     /// Draws curves of materials, or figures of the thesis, as SVG or PNG.
     #[command(
         after_help = "Materials are evaluated in double precision. Figures are computed from the \
@@ -302,6 +309,16 @@ pub struct Advise {
     /// Measured data to read in place of the project's.
     #[arg(long)]
     pub data: Option<PathBuf>,
+}
+
+/// `bench`.
+#[derive(Debug, Args)]
+pub struct Bench {
+    /// Scene file: spheres, planes of one material, directional lights.
+    pub scene: PathBuf,
+    /// Turns of each renderer.
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub repeat: u16,
 }
 
 /// `chart`.

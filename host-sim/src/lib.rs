@@ -2,6 +2,7 @@
 
 pub mod advice;
 pub mod arithmetic;
+pub mod bench;
 pub mod chart;
 pub mod cli;
 pub mod commands;

@@ -3,6 +3,7 @@
 mod advise;
 mod albedo;
 mod bake;
+mod bench;
 mod chart;
 pub mod compare;
 mod device;
@@ -31,6 +32,7 @@ pub fn run(command: &Command) -> Outcome<()> {
         Command::Albedo(arguments) => albedo::run(arguments),
         Command::Device(arguments) => device::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
+        Command::Bench(arguments) => bench::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
         Command::Advise(arguments) => advise::run(arguments),
         Command::Chart(arguments) => chart::run(arguments),
