@@ -48,6 +48,15 @@ pub fn add(sums: &mut Sums) {
     sums.push("pixels", sum.value());
 
     let mut sum = Checksum::new();
+    for (code, step) in steps.iter().enumerate() {
+        let pixel = Linear::from_raw(*step, steps[(code + 85) % 256], steps[255 - code]);
+        for at in 0..25 {
+            sum.feed(u32::from(pixel.rgb565_dithered(at % 5, at / 5)));
+        }
+    }
+    sums.push("dithered pixels", sum.value());
+
+    let mut sum = Checksum::new();
     for index in 0..COSINE_KNOTS + 3 {
         sum.feed(u32::from(CosineCurve::knot(index)));
     }
