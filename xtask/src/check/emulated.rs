@@ -39,10 +39,15 @@ pub fn steps() -> Vec<Step> {
         for arithmetic in ARITHMETICS {
             steps.push(step(
                 format!("demo, {} {arithmetic}", board.name),
-                move |bench| demonstrate(bench, board, arithmetic),
+                move |bench| demonstrate(bench, board, arithmetic, "demo"),
             ));
         }
     }
+    // A mesh: the table that is looked up in place of it.
+    steps.push(step(
+        format!("demo of a mesh, {}", BOARDS[0].name),
+        |bench| demonstrate(bench, BOARDS[0], "q31", "teapot"),
+    ));
     for name in gallery::names() {
         steps.push(step(format!("gallery, {name}"), move |bench| {
             gallery::check(bench.layout, bench.cross, name)?;
@@ -88,10 +93,13 @@ fn folder(bench: &Bench<'_>, name: &str) -> Outcome<PathBuf> {
 }
 
 /// The demo: whole, equal to the host, and near the reference.
-fn demonstrate(bench: &Bench<'_>, board: Board, arithmetic: &str) -> Outcome<Tally> {
+fn demonstrate(bench: &Bench<'_>, board: Board, arithmetic: &str, scene: &str) -> Outcome<Tally> {
     let host = HostSim::build(bench.layout, true)?;
-    let order = order(bench, board, arithmetic, &[]);
-    let out = folder(bench, &format!("demo-{}-{arithmetic}", board.name))?;
+    let order = Order {
+        scene: bench.layout.at(&format!("scenes/{scene}.toml")),
+        ..order(bench, board, arithmetic, &[])
+    };
+    let out = folder(bench, &format!("{scene}-{}-{arithmetic}", board.name))?;
     let report = demo::run(bench.layout, bench.cross, &host, &order, &out, true)?;
     print!("{}", report::lines(&report));
     let mut faults = report::faults(&report);
