@@ -6,7 +6,7 @@ use microbrdf::ParameterError;
 use microbrdf::brdf::Brdf;
 use microbrdf::geometry::{Direction, ShadingFrame};
 use microbrdf_reference as reference;
-use microbrdf_scene::{AnyModel, HostArithmetic, Material};
+use microbrdf_scene::{AnyModel, HostArithmetic, Material, PatchShape};
 
 /// Nodes of each of the two grids, radially and around.
 const RADIAL: usize = 96;
@@ -51,14 +51,25 @@ impl<A: HostArithmetic> Shipped<A> {
                 n: *exponent,
                 retro: false,
             },
-            Material::Patch { radius } => Lobe::Disc { radius: *radius },
-            Material::PatchExponential { sharpness } => Lobe::Disc {
+            Material::Patch { radius }
+            | Material::PatchMetal {
+                shape: PatchShape::Basic { radius },
+                ..
+            } => Lobe::Disc { radius: *radius },
+            Material::PatchExponential { sharpness }
+            | Material::MetallicPaint { sharpness, .. }
+            | Material::PatchMetal {
+                shape: PatchShape::Exponential { sharpness },
+                ..
+            } => Lobe::Disc {
                 radius: (12.0 / sharpness).min(2.0),
             },
             Material::PatchProfile { profile } => Lobe::Disc {
                 radius: profile.reach(),
             },
-            Material::Lambert { .. } => Lobe::Disc { radius: 2.0 },
+            Material::Lambert { .. } | Material::GeneralisedLambert { .. } => {
+                Lobe::Disc { radius: 2.0 }
+            }
         };
         Ok(Self {
             model: material.model()?,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use microbrdf_reference::light::{Illumination, Light};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
 use microbrdf_scene::{
-    AlbedoTable, Description, LightDescription, Material, PlaneDescription, camera_frame,
-    half_pixel, plane_axes,
+    AlbedoTable, Description, LightDescription, Material, PatchShape, PlaneDescription,
+    camera_frame, half_pixel, plane_axes,
 };
 use rayon::prelude::*;
 
@@ -107,7 +107,11 @@ fn surface(material: &Material, model: &dyn Fn(&Material) -> Model, daylight: bo
     let albedo = daylight.then(|| AlbedoTable::of(material));
     let patch = match material {
         // R = 2 covers every pair.
-        Material::Patch { radius } if *radius < 2.0 => Some(*radius),
+        Material::Patch { radius }
+        | Material::PatchMetal {
+            shape: PatchShape::Basic { radius },
+            ..
+        } if *radius < 2.0 => Some(*radius),
         _ => None,
     };
     Surface {

@@ -10,11 +10,13 @@ macro_rules! every_model {
 
         use microbrdf::Rgb;
         use microbrdf::brdf::{
-            Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, PatchProfile, Phong,
-            Plastic, PowerModel, RetroPhong,
+            GeneralisedLambert, Lambert, Metal, MetallicPaint, MetallicPhong, PModel, Patch,
+            PatchExponential, PatchMetal, PatchProfile, Phong, Plastic, PowerModel, RetroPhong,
         };
         use microbrdf::fixed::types::{U0F32, U1F31, U2F30, U32F32};
-        use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
+        use microbrdf::table::{
+            COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve, SQUARE_KNOTS, SquareCurve,
+        };
         use microbrdf_probes::evaluate;
 
         type A = $arithmetic;
@@ -50,6 +52,18 @@ macro_rules! every_model {
             }
             if let Ok(model) = PatchExponential::<A>::new(parameter()) {
                 evaluate(&model, components, gain);
+                let curve = CosineCurve::from_entries(black_box([[0; 3]; COSINE_KNOTS]));
+                evaluate(&MetallicPaint::new(model, curve), components, gain);
+                evaluate(&PatchMetal::new(model, curve), components, gain);
+            }
+            if let Ok(body) = Lambert::<A>::new(share())
+                && let Ok(curve) = SquareCurve::new(black_box([0; SQUARE_KNOTS]), black_box(0))
+            {
+                evaluate(
+                    &GeneralisedLambert::new(body, curve, parameter()),
+                    components,
+                    gain,
+                );
             }
             if let Ok(profile) = ProfileCurve::new(black_box([0; PROFILE_KNOTS]), black_box(0)) {
                 evaluate(
@@ -60,6 +74,8 @@ macro_rules! every_model {
             }
             if let Ok(model) = Plastic::<A>::new(share(), share(), parameter()) {
                 evaluate(&model, components, gain);
+                let curve = CosineCurve::from_entries(black_box([[0; 3]; COSINE_KNOTS]));
+                evaluate(&model.with_fresnel(curve), components, gain);
             }
             loop {}
         }

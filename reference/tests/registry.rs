@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// Files in `models/` that are not models.
-const SUPPORT: [&str; 4] = ["mod", "entry", "metric", "registry"];
+const SUPPORT: [&str; 5] = ["mod", "entry", "metric", "registry", "tint"];
 
 fn files() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/models");

@@ -11,7 +11,8 @@ use microbrdf::table::CosineCurve;
 
 use crate::description::Description;
 use crate::host::HostArithmetic;
-use crate::material::Material;
+use crate::material::{Material, PatchShape};
+use crate::model::generalised_profile;
 use crate::prepare::{Prepared, PreparedCoat, PreparedPart};
 
 /// Writes the module that firmware includes: the constants `NAME`,
@@ -207,6 +208,46 @@ fn model<A: HostArithmetic>(part: &PreparedPart<A>) -> (String, String) {
                 format!("Metal::new({lobe}, {})", curve(&reflectance.curve())),
             )
         }
+        Material::PatchMetal { shape, reflectance } => {
+            let (shape, value) = match *shape {
+                PatchShape::Basic { radius } => {
+                    ("Patch<A>", checked("Patch::<A>", A::radius_code(radius)))
+                }
+                PatchShape::Exponential { sharpness } => (
+                    "PatchExponential<A>",
+                    checked("PatchExponential::<A>", parameter(sharpness)),
+                ),
+            };
+            (
+                format!("PatchMetal<{shape}>"),
+                format!("PatchMetal::new({value}, {})", curve(&reflectance.curve())),
+            )
+        }
+        Material::MetallicPaint {
+            sharpness,
+            reflectance,
+        } => (
+            "MetallicPaint<A>".into(),
+            format!(
+                "MetallicPaint::new({}, {})",
+                checked("PatchExponential::<A>", parameter(*sharpness)),
+                curve(&reflectance.curve())
+            ),
+        ),
+        Material::GeneralisedLambert {
+            smoothness, clip, ..
+        } => (
+            "GeneralisedLambert<A>".into(),
+            format!(
+                "GeneralisedLambert::new({}, {}, {})",
+                checked("Lambert::<A>", format!("Rgb::grey({})", A::one_code())),
+                checked(
+                    "microbrdf::table::SquareCurve",
+                    generalised_profile(*smoothness, *clip).code()
+                ),
+                parameter(part.material.reference().peak())
+            ),
+        ),
         Material::Plastic { .. } => unreachable!("a plastic has two parts, neither a plastic"),
     }
 }

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use crate::description::{Description, LightDescription, LightKind};
-use crate::material::Material;
+use crate::material::{Material, PatchShape};
 use crate::mesh::Mirrored;
 use crate::prepare::half_pixel;
 use crate::vector::{dot, length, sub};
@@ -263,17 +263,26 @@ impl Material {
             Self::Phong { exponent, .. }
             | Self::Metal { exponent, .. }
             | Self::Plastic { exponent, .. } => *exponent = lobe(*exponent, seen.pixel),
-            Self::Patch { radius } => {
+            Self::Patch { radius }
+            | Self::PatchMetal {
+                shape: PatchShape::Basic { radius },
+                ..
+            } => {
                 let least = 0.5 * LEAST_DISC * seen.pixel;
                 let variance = seen.variance(0.25 * *radius * *radius, least);
                 *radius = (4.0 * variance).sqrt().clamp(*radius, 2.0);
             }
-            Self::PatchExponential { sharpness } => {
+            Self::PatchExponential { sharpness }
+            | Self::MetallicPaint { sharpness, .. }
+            | Self::PatchMetal {
+                shape: PatchShape::Exponential { sharpness },
+                ..
+            } => {
                 let least = 3f64.sqrt() * LEAST_EXPONENTIAL * seen.pixel;
                 let variance = seen.variance(3.0 / (*sharpness * *sharpness), least);
                 *sharpness = (3.0 / variance).sqrt().min(*sharpness);
             }
-            Self::PatchProfile { .. } | Self::Lambert { .. } => {}
+            Self::PatchProfile { .. } | Self::Lambert { .. } | Self::GeneralisedLambert { .. } => {}
         }
         material
     }

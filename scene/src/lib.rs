@@ -17,6 +17,7 @@ mod model;
 mod prepare;
 mod profile;
 mod reader;
+mod square;
 mod surface;
 mod vector;
 
@@ -30,7 +31,7 @@ pub use description::{
 pub use error::SceneError;
 pub use host::HostArithmetic;
 pub use lamp::AnyLight;
-pub use material::{Material, Reflectance};
+pub use material::{Material, PatchShape, Reflectance};
 pub use mesh::{
     AnyView, Obj, ObjError, ObjTriangle, PreparedView, Seen, SeenView, StoredNormals, encode,
     greatest_error,
@@ -39,4 +40,5 @@ pub use model::AnyModel;
 pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel, plane_axes};
 pub use profile::Profile;
 pub use reader::Colour;
+pub use square::SquareProfile;
 pub use surface::{AnyDaylight, AnySurface, SceneParts};

@@ -1,5 +1,7 @@
 //! Material tables.
 
+use std::ops::RangeInclusive;
+
 use microbrdf_reference::{self as reference, MetalName};
 
 use crate::error::{Fault, SceneError};
@@ -47,6 +49,29 @@ pub enum Material {
         /// Where its colour comes from.
         reflectance: Reflectance,
     },
+    /// A patch with Fresnel's factor at Θmin.
+    PatchMetal {
+        /// Its shape.
+        shape: PatchShape,
+        /// Where its colour comes from.
+        reflectance: Reflectance,
+    },
+    /// Metallic paint (4.54).
+    MetallicPaint {
+        /// s.
+        sharpness: f64,
+        /// Where its colour comes from.
+        reflectance: Reflectance,
+    },
+    /// Generalised Lambert (4.59).
+    GeneralisedLambert {
+        /// Greatest albedo.
+        albedo: Colour,
+        /// d.
+        smoothness: f64,
+        /// The m from which ξ is constant.
+        clip: f64,
+    },
     /// A plastic or a ceramic (3.30, 3.31).
     Plastic {
         /// Diffuse albedo.
@@ -58,6 +83,21 @@ pub enum Material {
         /// Real index of refraction, for Fresnel's factor (3.30); without one
         /// it is 1 (3.31).
         index: Option<f64>,
+    },
+}
+
+/// The shape of a metal of patches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PatchShape {
+    /// The basic patch (4.2).
+    Basic {
+        /// R.
+        radius: f64,
+    },
+    /// The exponential mixture (4.46).
+    Exponential {
+        /// s.
+        sharpness: f64,
     },
 }
 
@@ -75,7 +115,7 @@ pub enum Reflectance {
     },
 }
 
-const MODELS: [&str; 9] = [
+const MODELS: [&str; 12] = [
     "lambert",
     "phong",
     "metallic-phong",
@@ -85,6 +125,9 @@ const MODELS: [&str; 9] = [
     "profile",
     "metal",
     "plastic",
+    "patch-metal",
+    "metallic-paint",
+    "generalised-lambert",
 ];
 
 impl Material {
@@ -155,10 +198,26 @@ impl Material {
                 },
             },
             "patch" => Self::Patch {
-                radius: table.required("radius")?.number(1e-4..=2.0)?,
+                radius: table.required("radius")?.number(RADII)?,
             },
             "patch-exponential" => Self::PatchExponential {
-                sharpness: table.required("sharpness")?.number(0.0..=4096.0)?,
+                sharpness: table.required("sharpness")?.number(SHARPNESSES)?,
+            },
+            "patch-metal" => Self::PatchMetal {
+                shape: patch_shape(table)?,
+                reflectance: reflectance(table)?,
+            },
+            "metallic-paint" => Self::MetallicPaint {
+                sharpness: table.required("sharpness")?.number(SHARPNESSES)?,
+                reflectance: reflectance(table)?,
+            },
+            "generalised-lambert" => Self::GeneralisedLambert {
+                albedo: table.required("albedo")?.colour(0.0..=1.0)?,
+                smoothness: table.required("smoothness")?.number(0.0..=1.0)?,
+                clip: match table.optional("clip") {
+                    Some(clip) => clip.number(1.0..=1.9)?,
+                    None => 1.9,
+                },
             },
             "profile" => Self::PatchProfile {
                 profile: Box::new(profile(table)?),
@@ -200,13 +259,33 @@ impl Material {
     #[must_use]
     pub fn is_coloured(&self) -> bool {
         match self {
-            Self::Lambert { albedo } => albedo.is_rgb(),
+            Self::Lambert { albedo } | Self::GeneralisedLambert { albedo, .. } => albedo.is_rgb(),
             Self::Plastic {
                 albedo, specular, ..
             } => albedo.is_rgb() || specular.is_rgb(),
-            Self::Metal { .. } => true,
+            Self::Metal { .. } | Self::PatchMetal { .. } | Self::MetallicPaint { .. } => true,
             _ => false,
         }
+    }
+}
+
+/// Radii of patches.
+const RADII: RangeInclusive<f64> = 1e-4..=2.0;
+/// Sharpnesses of exponential mixtures.
+const SHARPNESSES: RangeInclusive<f64> = 0.0..=4096.0;
+
+fn patch_shape(table: &Table<'_, '_>) -> Result<PatchShape, Fault> {
+    match (table.optional("radius"), table.optional("sharpness")) {
+        (Some(radius), None) => Ok(PatchShape::Basic {
+            radius: radius.number(RADII)?,
+        }),
+        (None, Some(sharpness)) => Ok(PatchShape::Exponential {
+            sharpness: sharpness.number(SHARPNESSES)?,
+        }),
+        _ => Err(table.fault(
+            "a metal of patches needs either `sharpness`, for the exponential mixture, or \
+             `radius`, for the basic patch",
+        )),
     }
 }
 

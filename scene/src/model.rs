@@ -1,12 +1,14 @@
 //! Materials as models: the core's, chosen at run time, and the reference's.
 
+use std::sync::{Mutex, PoisonError};
+
 use microbrdf::ParameterError;
 use microbrdf::Rgb;
 use microbrdf::arithmetic::Arithmetic;
 use microbrdf::brdf::{
-    Axis, Brdf, Flat, Foreshortening, Lambert, Metal, Metallic, MetallicPhong, Mirror, PModel,
-    Patch, PatchExponential, PatchProfile, Phong, PhongLobe, Plastic, PowerModel, Retro,
-    RetroPhong,
+    Axis, Brdf, Flat, Foreshortening, GeneralisedLambert, Lambert, Metal, Metallic, MetallicPaint,
+    MetallicPhong, Mirror, PModel, Patch, PatchExponential, PatchMetal, PatchProfile, Phong,
+    PhongLobe, Plastic, PowerModel, Retro, RetroPhong,
 };
 use microbrdf::geometry::Geometry;
 use microbrdf_reference as reference;
@@ -14,7 +16,8 @@ use reference::models as exact;
 
 use crate::curve::cosine_curve;
 use crate::host::HostArithmetic;
-use crate::material::{Material, Reflectance};
+use crate::material::{Material, PatchShape, Reflectance};
+use crate::square::SquareProfile;
 
 /// Any of the core's models.
 #[derive(Clone, Debug)]
@@ -41,6 +44,14 @@ pub enum AnyModel<A: Arithmetic> {
     PatchProfile(Box<PatchProfile<A>>),
     /// cosⁿα / g(Θmin).
     Metal(Box<Metal<A>>),
+    /// Basic patch with Fresnel's factor.
+    BasicPatchMetal(Box<PatchMetal<Patch<A>>>),
+    /// Exponential mixture with Fresnel's factor.
+    PatchMetal(Box<PatchMetal<PatchExponential<A>>>),
+    /// The same at θ'.
+    MetallicPaint(Box<MetallicPaint<A>>),
+    /// Darkens less towards the rim than Lambert.
+    GeneralisedLambert(Box<GeneralisedLambert<A>>),
     /// Diffuser and highlight.
     Plastic(Box<Plastic<A>>),
     /// The same with Fresnel's factor.
@@ -91,6 +102,22 @@ macro_rules! each {
                 $result
             }
             AnyModel::Metal($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::BasicPatchMetal($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::PatchMetal($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::MetallicPaint($model) => {
+                let $model = &**$model;
+                $result
+            }
+            AnyModel::GeneralisedLambert($model) => {
                 let $model = &**$model;
                 $result
             }
@@ -151,6 +178,33 @@ impl Material {
                 let lobe = A::lobe::<Mirror, _>(*exponent, Metallic)?;
                 AnyModel::Metal(Box::new(Metal::new(lobe, reflectance.curve())))
             }
+            Self::PatchMetal { shape, reflectance } => {
+                let curve = reflectance.curve();
+                match *shape {
+                    PatchShape::Basic { radius } => AnyModel::BasicPatchMetal(Box::new(
+                        PatchMetal::new(A::patch(radius)?, curve),
+                    )),
+                    PatchShape::Exponential { sharpness } => AnyModel::PatchMetal(Box::new(
+                        PatchMetal::new(A::patch_exponential(sharpness)?, curve),
+                    )),
+                }
+            }
+            Self::MetallicPaint {
+                sharpness,
+                reflectance,
+            } => AnyModel::MetallicPaint(Box::new(MetallicPaint::new(
+                A::patch_exponential(*sharpness)?,
+                reflectance.curve(),
+            ))),
+            Self::GeneralisedLambert {
+                albedo,
+                smoothness,
+                clip,
+            } => AnyModel::GeneralisedLambert(Box::new(GeneralisedLambert::new(
+                A::lambert(albedo.rgb())?,
+                generalised_profile(*smoothness, *clip).curve(),
+                A::scale(self.reference().peak()),
+            ))),
             Self::Plastic {
                 albedo,
                 specular,
@@ -246,6 +300,29 @@ impl Material {
                 exponent,
                 reflectance: Reflectance::Index { eta, k },
             } => Box::new(exact::metal::Metal::from_indices(exponent, eta, k).expect(CHECKED)),
+            Self::PatchMetal { shape, reflectance } => {
+                let tint = reflectance.tint();
+                let metal = match shape {
+                    PatchShape::Basic { radius } => exact::PatchMetal::basic(radius, tint),
+                    PatchShape::Exponential { sharpness } => {
+                        exact::PatchMetal::exponential(sharpness, tint)
+                    }
+                };
+                Box::new(metal.expect(CHECKED))
+            }
+            Self::MetallicPaint {
+                sharpness,
+                reflectance,
+            } => Box::new(exact::MetallicPaint::new(sharpness, reflectance.tint()).expect(CHECKED)),
+            Self::GeneralisedLambert {
+                albedo,
+                smoothness,
+                clip,
+            } => Box::new(
+                generalised(smoothness, clip)
+                    .with_albedo(albedo.rgb())
+                    .expect(CHECKED),
+            ),
             Self::Plastic {
                 albedo,
                 specular,
@@ -279,15 +356,56 @@ impl Material {
             Self::Phong { exponent, .. }
             | Self::Metal { exponent, .. }
             | Self::Plastic { exponent, .. } => *exponent = A::exponent_value(*exponent),
-            Self::Patch { radius } => *radius = A::radius_value(*radius),
-            Self::PatchExponential { sharpness } => *sharpness = A::exponent_value(*sharpness),
-            Self::Lambert { .. } | Self::PatchProfile { .. } => {}
+            Self::Patch { radius }
+            | Self::PatchMetal {
+                shape: PatchShape::Basic { radius },
+                ..
+            } => *radius = A::radius_value(*radius),
+            Self::PatchExponential { sharpness }
+            | Self::MetallicPaint { sharpness, .. }
+            | Self::PatchMetal {
+                shape: PatchShape::Exponential { sharpness },
+                ..
+            } => *sharpness = A::exponent_value(*sharpness),
+            Self::Lambert { .. } | Self::PatchProfile { .. } | Self::GeneralisedLambert { .. } => {}
         }
         material
     }
 }
 
+/// The reference's model of albedo 1.
+fn generalised(smoothness: f64, clip: f64) -> exact::GeneralisedLambert {
+    static KNOWN: Mutex<Vec<exact::GeneralisedLambert>> = Mutex::new(Vec::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    // Its constant is an integral: once is enough.
+    if let Some(model) = known.iter().find(|model| model.is_of(smoothness, clip)) {
+        return *model;
+    }
+    let model = exact::GeneralisedLambert::new(smoothness, clip)
+        .expect("the ranges were checked when the material was read");
+    known.push(model);
+    model
+}
+
+/// ξ/ξmax of generalised Lambert (4.59) over m².
+pub(crate) fn generalised_profile(smoothness: f64, clip: f64) -> SquareProfile {
+    let model = generalised(smoothness, clip);
+    SquareProfile::new(
+        |square| model.profile(square) / model.greatest_profile(),
+        clip,
+    )
+}
+
 impl Reflectance {
+    /// The reference's of it.
+    fn tint(&self) -> exact::Tint {
+        match self {
+            Self::Named(metal) => exact::Tint::named(*metal),
+            Self::Index { eta, k } => exact::Tint::from_indices(*eta, *k)
+                .expect("the ranges were checked when the material was read"),
+        }
+    }
+
     /// That of a real index of refraction.
     #[must_use]
     pub fn dielectric(index: f64) -> Self {

@@ -145,6 +145,18 @@ impl Material {
         };
         match self {
             Self::Lambert { albedo } => vec![(white, albedo.rgb())],
+            Self::GeneralisedLambert {
+                albedo,
+                smoothness,
+                clip,
+            } => vec![(
+                Self::GeneralisedLambert {
+                    albedo: Colour::Grey(1.0),
+                    smoothness: *smoothness,
+                    clip: *clip,
+                },
+                albedo.rgb(),
+            )],
             Self::Plastic {
                 albedo,
                 specular,

@@ -143,8 +143,78 @@ model = "lambert"
 albedo = [0.6, 0.3, 0.2]
 "#;
 
+/// A sphere of each material that [`LAMPS`] and the demo lack.
+pub const MATERIALS: &str = r#"
+widen = false
+background = [0.02, 0.03, 0.05]
+[camera]
+width = 96
+height = 48
+eye = [0.0, -9.0, 1.0]
+target = [0.0, 0.0, 0.0]
+fov = 22.0
+[daylight]
+color = [0.2, 0.22, 0.25]
+[[light]]
+kind = "directional"
+direction = [-0.5, -0.7, 0.6]
+color = [0.6, 0.55, 0.5]
+[[light]]
+kind = "directional"
+direction = [0.9, 0.5, 0.3]
+color = [0.3, 0.35, 0.5]
+[[sphere]]
+center = [-2.4, 0.0, 0.0]
+radius = 0.7
+material = "glazed"
+[[sphere]]
+center = [-0.8, 0.0, 0.0]
+radius = 0.7
+material = "exponential"
+[[sphere]]
+center = [0.8, 0.0, 0.0]
+radius = 0.7
+material = "paint"
+[[sphere]]
+center = [2.4, 0.0, 0.0]
+radius = 0.7
+material = "matt"
+[[sphere]]
+center = [0.0, -1.5, -0.9]
+radius = 0.3
+material = "disc"
+[material.glazed]
+model = "plastic"
+albedo = [0.1, 0.2, 0.5]
+specular = [0.4, 0.45, 0.5]
+exponent = 60
+index = 1.5
+[material.exponential]
+model = "patch-metal"
+metal = "silver"
+sharpness = 8
+[material.disc]
+model = "patch-metal"
+metal = "gold"
+radius = 0.6
+[material.paint]
+model = "metallic-paint"
+eta = [0.2, 0.9, 1.4]
+k = [3.6, 2.6, 2.0]
+sharpness = 12
+[material.matt]
+model = "generalised-lambert"
+albedo = [0.7, 0.4, 0.3]
+smoothness = 0.8
+"#;
+
 /// Scenes by name.
-pub const SCENES: [(&str, &str); 3] = [("lamps", LAMPS), ("mesh", MESH), ("matt", MATT)];
+pub const SCENES: [(&str, &str); 4] = [
+    ("lamps", LAMPS),
+    ("mesh", MESH),
+    ("matt", MATT),
+    ("materials", MATERIALS),
+];
 
 /// Arithmetics that they are baked in.
 pub const ARITHMETICS: [ArithmeticName; 3] = [

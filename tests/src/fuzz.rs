@@ -137,7 +137,7 @@ fn material(source: &mut Unstructured<'_>) -> arbitrary::Result<String> {
             parameter(source, 1.0, 1e8)?
         })
     };
-    Ok(match u8::arbitrary(source)? % 8 {
+    Ok(match u8::arbitrary(source)? % 11 {
         0 => format!(
             "model = \"lambert\", albedo = [{}, {}, {}]",
             unit(source)?,
@@ -181,6 +181,35 @@ fn material(source: &mut Unstructured<'_>) -> arbitrary::Result<String> {
                 }
             }
         }
+        7 => {
+            let curve = CURVES[usize::from(u8::arbitrary(source)?) % CURVES.len()];
+            if bool::arbitrary(source)? {
+                let radius = parameter(source, 1e-4, 2.0)?;
+                format!(
+                    "model = \"patch-metal\", {}, radius = {radius}",
+                    curve.fields
+                )
+            } else {
+                let sharpness = parameter(source, 1e-9, 4096.0)?;
+                format!(
+                    "model = \"patch-metal\", {}, sharpness = {sharpness}",
+                    curve.fields
+                )
+            }
+        }
+        8 => format!(
+            "model = \"metallic-paint\", {}, sharpness = {}",
+            CURVES[usize::from(u8::arbitrary(source)?) % CURVES.len()].fields,
+            parameter(source, 1e-9, 4096.0)?
+        ),
+        9 => format!(
+            "model = \"generalised-lambert\", albedo = [{}, {}, {}], smoothness = {}, clip = {}",
+            unit(source)?,
+            unit(source)?,
+            unit(source)?,
+            unit(source)?,
+            parameter(source, 1.0, 1.9)?
+        ),
         _ => {
             let albedo = unit(source)?;
             let index = if bool::arbitrary(source)? {
@@ -220,7 +249,10 @@ fn holds<A: Tested>(toml: &str, subject: &Subject<A>, place: &Place) -> Result<(
     let frames = [ShadingFrame::new(l, v), ShadingFrame::new(v, l)];
     let worlds = [World::new(n, l, v), World::new(n, v, l)];
     // A metal's curve can reach past 1 by its rounding.
-    let most = if toml.contains("\"metal\"") {
+    let most = if ["metal = ", "eta = "]
+        .iter()
+        .any(|field| toml.contains(field))
+    {
         1.0 + 1.0 / 32768.0
     } else {
         1.0

@@ -38,7 +38,7 @@ fn found() -> [[Greatest; 4]; LEAST.len()] {
         let subject = Subject::<A>::new(&entry.material());
         let peak = subject.exact.peak();
         // n = 0 ends at α = 90° as a patch does.
-        let has_edge = entry.model == "patch" || entry.toml.ends_with("exponent = 0");
+        let has_edge = entry.toml.contains("radius = ") || entry.toml.ends_with("exponent = 0");
         for (column, k) in [1.0, peak].into_iter().enumerate() {
             if column == 1 && !(1e-3..SHARPEST).contains(&peak) {
                 continue;

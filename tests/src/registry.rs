@@ -115,5 +115,29 @@ pub fn all() -> Vec<Entry> {
         "eta = [1.5, 1.5, 1.5], k = [0, 0, 0], exponent = 40".into(),
         40.0,
     );
+    for s in [0.5f64, 4.0, 10.0, 20.0, 60.0] {
+        let n = (s * s).max(1.0) / 8.0;
+        let gold = format!("sharpness = {s}, metal = \"gold\"");
+        add("patch-metal", gold.clone(), n);
+        add("metallic-paint", gold, n);
+    }
+    let chromium = "eta = [3.18, 3.2, 2.3], k = [3.3, 3.3, 3.1]";
+    add(
+        "metallic-paint",
+        format!("sharpness = 12, {chromium}"),
+        18.0,
+    );
+    add(
+        "patch-metal",
+        format!("radius = 0.3, {chromium}"),
+        1.0 / 0.09,
+    );
+    for (d, clip) in [(0.0, 1.9), (0.25, 1.9), (0.5, 1.0), (1.0, 1.9)] {
+        add(
+            "generalised-lambert",
+            format!("albedo = [0.9, 0.5, 0.1], smoothness = {d}, clip = {clip}"),
+            0.5,
+        );
+    }
     entries
 }

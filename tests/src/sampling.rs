@@ -79,7 +79,7 @@ impl Drawing for Q31 {
 /// The sampler of a material.
 ///
 /// # Panics
-/// For a plastic and a free profile, which have none.
+/// For a plastic, a free profile and what else has none.
 pub fn sampler<A: Drawing>(material: &Material) -> Box<dyn Sample<A>> {
     match material {
         Material::Lambert { albedo } => Box::new(A::lambert(albedo.rgb()).expect(IN_RANGE)),
@@ -112,6 +112,9 @@ pub fn sampler<A: Drawing>(material: &Material) -> Box<dyn Sample<A>> {
         )),
         Material::Plastic { .. } => panic!("a plastic is sampled by its parts"),
         Material::PatchProfile { .. } => panic!("a free profile has no sampler"),
+        Material::PatchMetal { .. }
+        | Material::MetallicPaint { .. }
+        | Material::GeneralisedLambert { .. } => panic!("it has no sampler in the core"),
     }
 }
 
@@ -145,6 +148,9 @@ pub fn density(material: &Material, v: Direction) -> Box<dyn Fn(&Direction) -> f
             }
             Material::Plastic { .. } => panic!("a plastic is sampled by its parts"),
             Material::PatchProfile { .. } => panic!("a free profile has no sampler"),
+            Material::PatchMetal { .. }
+            | Material::MetallicPaint { .. }
+            | Material::GeneralisedLambert { .. } => panic!("it has no sampler in the core"),
         }
     })
 }

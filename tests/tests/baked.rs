@@ -35,6 +35,9 @@ baked! {
     matt_f32 "matt" "f32",
     matt_q31 "matt" "q31",
     matt_q15 "matt" "q15",
+    materials_f32 "materials" "f32",
+    materials_q31 "materials" "q31",
+    materials_q15 "materials" "q15",
 }
 
 /// The file is what the scene bakes to now, and its rows are the host's.

@@ -117,6 +117,13 @@ fn bound<A: Tested>(entry: &registry::Entry) -> f64 {
         "lambert" | "patch" => {
             4.0 * A::UNIT_STEP + A::DIRECTION_NOISE * entry.n.sqrt().max(1.0) * A::COMPONENT_ERROR
         }
+        // As the mixture, with a Fresnel curve.
+        "patch-metal" | "metallic-paint" => {
+            lobe + 2.5e-5 + 2.0 * A::COMPONENT_ERROR * entry.n.sqrt() * 8f64.sqrt()
+        }
+        // A third of the table's error, which all directions share near the
+        // clip alone.
+        "generalised-lambert" => lobe + 4.0 * A::UNIT_STEP + 1e-4,
         "metal" | "plastic with index" => lobe + 4.0 * A::UNIT_STEP + 2e-5,
         // e^(−s·m) with the error of m times s.
         "patch-exponential" => {

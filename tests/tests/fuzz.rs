@@ -47,7 +47,7 @@ fn any_material_and_directions<A: Tested>() {
 fn cases_are_many_kinds() {
     let mut counts = std::collections::BTreeMap::<String, u32>::new();
     let (mut units, mut all) = (0, 0);
-    for seed in 0..800 {
+    for seed in 0..1100 {
         let case = case(seed);
         let model = case.toml.split('"').nth(1).expect("a model").to_owned();
         *counts.entry(model).or_default() += 1;
@@ -57,7 +57,7 @@ fn cases_are_many_kinds() {
             all += 1;
         }
     }
-    assert_eq!(counts.len(), 8, "{counts:?}");
+    assert_eq!(counts.len(), 11, "{counts:?}");
     assert!(counts.values().all(|count| *count > 60), "{counts:?}");
     let share = f64::from(units) / f64::from(all);
     assert!((0.7..0.9).contains(&share), "{share}");

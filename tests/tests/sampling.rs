@@ -13,7 +13,7 @@ use microbrdf_reference::albedo::directional_albedo_for;
 use microbrdf_reference::brdf::{Brdf, Channel};
 use microbrdf_reference::quadrature::Accuracy;
 use microbrdf_reference::sampling::{Mixture, MixtureMethod, Sampler as _};
-use microbrdf_scene::Material;
+use microbrdf_scene::{Material, PatchShape};
 use microbrdf_tests::arithmetic::{Tested, rounded, value_of};
 use microbrdf_tests::sampling::{
     Bins, Drawing, Numbers, OUTCOMES, chi_square, density, sampler, view,
@@ -217,12 +217,21 @@ fn densities_are_the_references<A: Drawing>() {
 /// An exponent about as narrow.
 fn width(material: &Material) -> f64 {
     match material {
-        Material::Lambert { .. } => 0.5,
+        Material::Lambert { .. } | Material::GeneralisedLambert { .. } => 0.5,
         Material::Phong { exponent, .. }
         | Material::Metal { exponent, .. }
         | Material::Plastic { exponent, .. } => *exponent,
-        Material::Patch { radius } => 1.0 / (radius * radius),
-        Material::PatchExponential { sharpness } => (sharpness * sharpness).max(1.0) / 8.0,
+        Material::Patch { radius }
+        | Material::PatchMetal {
+            shape: PatchShape::Basic { radius },
+            ..
+        } => 1.0 / (radius * radius),
+        Material::PatchExponential { sharpness }
+        | Material::MetallicPaint { sharpness, .. }
+        | Material::PatchMetal {
+            shape: PatchShape::Exponential { sharpness },
+            ..
+        } => (sharpness * sharpness).max(1.0) / 8.0,
         Material::PatchProfile { profile } => profile.reach().powi(-2),
     }
 }

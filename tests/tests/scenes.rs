@@ -4,7 +4,7 @@
 use microbrdf_reference::lightness;
 use microbrdf_scene::{Description, LightKind};
 use microbrdf_sim::arithmetic::ArithmeticName;
-use microbrdf_tests::baked::LAMPS;
+use microbrdf_tests::baked::{LAMPS, MATERIALS};
 use microbrdf_tests::pictures::{Case, faults};
 
 const ARITHMETICS: [ArithmeticName; 3] = [
@@ -35,6 +35,111 @@ fn without(text: &str, part: &str, other: &str) -> String {
 #[test]
 fn a_checker_under_lamps_is_the_references() {
     holds(&Case::of(LAMPS));
+}
+
+/// A glaze, metals of patches, a paint and generalised Lambert, under daylight.
+#[test]
+fn every_other_material_is_the_references() {
+    holds(&Case::of(MATERIALS));
+}
+
+/// Each of them is seen, and what is out of range is named.
+#[test]
+fn fields_of_the_other_materials_matter() {
+    let whole = exact(MATERIALS);
+    for (part, other) in [
+        ("index = 1.5", "index = 2.4"),
+        ("sharpness = 8", "sharpness = 4"),
+        ("radius = 0.6", "radius = 0.5"),
+        ("metal = \"gold\"", "metal = \"copper\""),
+        ("sharpness = 12", "sharpness = 20"),
+        ("smoothness = 0.8", "smoothness = 0.3"),
+        ("smoothness = 0.8", "smoothness = 0.8\nclip = 1.5"),
+    ] {
+        let changed = exact(&without(MATERIALS, part, other));
+        let pixels = whole.iter().zip(&changed).filter(|(a, b)| a != b).count();
+        assert!(pixels > 30, "{other}: {pixels} pixels");
+    }
+    for (part, wrong, message) in [
+        (
+            "index = 1.5",
+            "index = 0.9",
+            "material.glazed.index = 0.9: must be a number from 1 to 4",
+        ),
+        ("radius = 0.6", "size = 0.6", "either `sharpness`"),
+        (
+            "radius = 0.6",
+            "radius = 0.6\nsharpness = 9",
+            "either `sharpness`",
+        ),
+        (
+            "radius = 0.6",
+            "radius = 2.5",
+            "must be a number from 0.0001 to 2",
+        ),
+        (
+            "sharpness = 12",
+            "sharpness = -1",
+            "must be a number from 0 to 4096",
+        ),
+        ("eta = [0.2, 0.9, 1.4]\n", "", "a metal needs either"),
+        (
+            "smoothness = 0.8",
+            "smoothness = 1.1",
+            "must be a number from 0 to 1",
+        ),
+        ("smoothness = 0.8", "", "`smoothness` is missing"),
+        (
+            "smoothness = 0.8",
+            "smoothness = 0.8\nclip = 2",
+            "must be a number from 1 to 1.9",
+        ),
+        (
+            "\"generalised-lambert\"",
+            "\"generalized-lambert\"",
+            "`generalised-lambert`",
+        ),
+    ] {
+        let text = without(MATERIALS, part, wrong);
+        let error = Description::from_toml("scene", "scene", &text).unwrap_err();
+        assert!(error.to_string().contains(message), "{wrong}: {error}");
+    }
+}
+
+/// Daylight is the albedo of the whole, Fresnel's factor within the integral
+/// (3.32): the product of the factor and the lobe's albedo is another.
+#[test]
+fn daylight_answers_with_the_albedo_of_the_whole() {
+    let albedo = |text: &str, cosine: f64| {
+        let material = microbrdf_scene::Material::from_argument(text).unwrap();
+        microbrdf_scene::AlbedoTable::of(&material).at(cosine)[0]
+    };
+    let glazed = "model = \"plastic\", albedo = 0.2, specular = 0.5, exponent = 20";
+    for degrees in [0.0f64, 60.0, 85.0, 89.0] {
+        let cosine = degrees.to_radians().cos();
+        let lobe = albedo("model = \"metallic-phong\", exponent = 20", cosine);
+        let whole = albedo(&format!("{glazed}, index = 1.5"), cosine);
+        let fresnel = microbrdf_reference::fresnel::dielectric(1.5, cosine);
+        let product = 0.2 + 0.5 * fresnel * lobe;
+        println!("{degrees}: {whole} and {product}");
+        if degrees < 1.0 {
+            assert!((whole - product).abs() < 2e-3);
+        } else if degrees > 84.0 {
+            assert!(
+                (whole - product).abs() > 0.01,
+                "{degrees}: {whole} {product}"
+            );
+        }
+        assert!(whole > 0.2 && whole < albedo(glazed, cosine));
+    }
+    // The moon's disc under the sky: brightest at its rim, where it is the albedo.
+    let moon = "model = \"generalised-lambert\", albedo = 0.6, smoothness = 1";
+    assert!(
+        (albedo(moon, 0.0) - 0.6).abs() < 1e-4,
+        "{}",
+        albedo(moon, 0.0)
+    );
+    assert!((albedo(moon, 1.0) - 0.6 * 0.75895).abs() < 1e-3);
 }
 
 /// Squares that are seen from the side, from below and at a slant.

@@ -258,3 +258,25 @@ fn tables_in_flash_equal_those_built_at_run_time() {
         MetallicPhong::<Q31<128>>::new(n + U32F32::ONE).expect("an exponent")
     );
 }
+
+/// ξ/ξmax of generalised Lambert, the clip on a knot.
+#[test]
+fn generalised_lamberts_profile_is_within_its_bound() {
+    use microbrdf_reference::models::GeneralisedLambert;
+    use microbrdf_scene::SquareProfile;
+
+    for (clip, bound) in [(1.0, 2e-5), (1.5, 2e-5), (1.9, 4e-4)] {
+        let mut worst = 0.0f64;
+        for d in [0.25, 0.5, 0.75, 1.0] {
+            let model = GeneralisedLambert::new(d, clip).expect("in range");
+            let share = |square: f64| model.profile(square) / model.greatest_profile();
+            let table = SquareProfile::new(share, clip);
+            for i in 0..=100_000u32 {
+                let square = f64::from(i) * 4.0 / 1e5;
+                worst = worst.max((table.at(square) - share(square)).abs());
+            }
+        }
+        println!("clip {clip}: {worst:e}");
+        assert!((0.6 * bound..=bound).contains(&worst), "{clip}: {worst:e}");
+    }
+}

@@ -7,7 +7,7 @@ use super::math::{Libm, Math};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::{LINEAR_ONE, Linear};
-use crate::table::{CosineCurve, ProfileCurve};
+use crate::table::{CosineCurve, ProfileCurve, SquareCurve};
 
 /// Single precision, the same bits on every core; `M` is where exponentials
 /// and roots come from.
@@ -126,6 +126,20 @@ impl<M: Math> Arithmetic for Float<M> {
         } else {
             0.0
         }
+    }
+
+    #[inline]
+    fn square_profile(curve: &SquareCurve, m_squared: f32) -> f32 {
+        if Self::is_number(m_squared) {
+            curve.at_f32(m_squared)
+        } else {
+            0.0
+        }
+    }
+
+    #[inline]
+    fn cos_theta_prime(m_squared: f32, (a, b): (f32, f32)) -> f32 {
+        M::root(0.25 * m_squared + 0.5 * (a * a + b * b))
     }
 
     #[inline]

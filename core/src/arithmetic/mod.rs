@@ -25,7 +25,7 @@ use core::fmt::Debug;
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
-use crate::table::{CosineCurve, ProfileCurve};
+use crate::table::{CosineCurve, ProfileCurve, SquareCurve};
 
 /// The steps of which every model of this crate is made, in one way to
 /// compute. Implemented by zero-sized markers.
@@ -110,6 +110,15 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn profile(stored: &Self::Profile, m_squared: Self::Separation) -> Self::Unit;
     /// ξ(m) for m², of a free profile.
     fn free_profile(curve: &ProfileCurve, m_squared: Self::Separation) -> Self::Unit;
+    /// A profile over m², of a table with a reach of its own.
+    fn square_profile(curve: &SquareCurve, m_squared: Self::Separation) -> Self::Unit;
+    /// cosθ' = √(m²/4 + (N·L² + N·V²)/2) for cosines that are not negative:
+    /// sinθ' is half the distance of the projections of L and V (4.53), which
+    /// loses no digits here.
+    fn cos_theta_prime(
+        m_squared: Self::Separation,
+        cosines: (Self::Cosine, Self::Cosine),
+    ) -> Self::Cosine;
     /// c^(1−p) for a cosine c ≥ 0.
     fn cosine_power(stored: &Self::CosinePower, cosine: Self::Cosine) -> Self::Unit;
     /// a / max(a, b) for cosines that are not negative: `None` where it is

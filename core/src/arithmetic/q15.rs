@@ -7,7 +7,9 @@ use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
-use crate::table::{CosineCurve, CosinePowerTable, ProfileCurve, ScaledTable, reciprocal, root};
+use crate::table::{
+    CosineCurve, CosinePowerTable, ProfileCurve, ScaledTable, SquareCurve, reciprocal, root,
+};
 
 /// Fraction bits of a component.
 const COMPONENT_BITS: u32 = 14;
@@ -207,6 +209,20 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn free_profile(curve: &ProfileCurve, m_squared: u32) -> U1F31 {
         U1F31::from_bits(curve.at_short(root::root(m_squared)))
+    }
+
+    #[inline]
+    fn square_profile(curve: &SquareCurve, m_squared: u32) -> U1F31 {
+        U1F31::from_bits(curve.at_short(m_squared))
+    }
+
+    /// The cosines are taken to 15 fraction bits.
+    #[inline]
+    fn cos_theta_prime(m_squared: u32, (a, b): (i32, i32)) -> i32 {
+        // a² + b² with 30 fraction bits; twice it with the 28 of m².
+        let twice = Self::square([a >> 15, b >> 15]) >> 1;
+        // 2cosθ' with 29 fraction bits is cosθ' with 30.
+        root::root(m_squared.wrapping_add(twice)) as i32
     }
 
     #[inline]

@@ -6,7 +6,7 @@ use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
-use crate::table::{CosineCurve, CosinePowerTable, ProfileCurve, UniformTable};
+use crate::table::{CosineCurve, CosinePowerTable, ProfileCurve, SquareCurve, UniformTable};
 
 /// Fraction bits of a component.
 pub(crate) const COMPONENT_BITS: u32 = 30;
@@ -179,6 +179,18 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     #[inline]
     fn free_profile(curve: &ProfileCurve, m_squared: u64) -> U1F31 {
         U1F31::from_bits(curve.at(m_squared.isqrt() << (UNIT_BITS - COMPONENT_BITS)))
+    }
+
+    #[inline]
+    fn square_profile(curve: &SquareCurve, m_squared: u64) -> U1F31 {
+        U1F31::from_bits(curve.at(m_squared))
+    }
+
+    #[inline]
+    fn cos_theta_prime(m_squared: u64, (a, b): (I2F30, I2F30)) -> I2F30 {
+        // 2(a² + b²) with the 60 fraction bits of m²: the root is 2cosθ'.
+        let twice = Self::square([a.to_bits(), b.to_bits()]).wrapping_mul(2);
+        I2F30::from_bits((m_squared.wrapping_add(twice).isqrt() >> 1) as i32)
     }
 
     #[inline]

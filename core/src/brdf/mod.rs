@@ -9,6 +9,7 @@
 //!   the share ρ = shape · cosΘL / cosᵖΘmin, bounded by the shape for p ≤ 1.
 
 mod foreshortening;
+mod generalised_lambert;
 mod lambert;
 mod metal;
 mod patch;
@@ -16,8 +17,10 @@ mod patch_exponential;
 mod patch_profile;
 mod phong;
 mod plastic;
+mod tinted;
 
 pub use foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
+pub use generalised_lambert::GeneralisedLambert;
 pub use lambert::Lambert;
 pub use metal::Metal;
 pub use patch::Patch;
@@ -26,6 +29,7 @@ pub(crate) use patch_exponential::mixture_mass;
 pub use patch_profile::PatchProfile;
 pub use phong::{Axis, MetallicPhong, Mirror, PModel, Phong, PhongLobe, Retro, RetroPhong};
 pub use plastic::Plastic;
+pub use tinted::{Incidence, MetallicPaint, PatchMetal, ThetaMin, ThetaPrime, Tinted};
 
 use crate::arithmetic::Arithmetic;
 use crate::colour::Rgb;

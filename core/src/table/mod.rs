@@ -7,10 +7,12 @@ mod profile_curve;
 pub(crate) mod reciprocal;
 pub(crate) mod root;
 mod scaled;
+mod square_curve;
 mod uniform;
 
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
 pub use cosine_power::CosinePowerTable;
 pub use profile_curve::{PROFILE_KNOTS, ProfileCurve};
 pub use scaled::ScaledTable;
+pub use square_curve::{SQUARE_KNOTS, SquareCurve};
 pub use uniform::UniformTable;

@@ -1,6 +1,6 @@
 //! What each way to compute costs, as `cargo xtask measure` found.
 
-use microbrdf_scene::Material;
+use microbrdf_scene::{Material, PatchShape};
 use serde_json::Value;
 
 /// The cost of an arithmetic and a size of table.
@@ -124,12 +124,24 @@ fn kind(material: &Material) -> (&'static str, (&'static str, f64)) {
         // Its cost is the same for all points.
         Material::PatchProfile { .. } => ("profile", ("points", 0.0)),
         Material::Metal { exponent, .. } => ("metal", ("exponent", *exponent)),
+        // Nobody has measured one of these: the caller says so.
+        Material::PatchMetal {
+            shape: PatchShape::Basic { radius },
+            ..
+        } => ("patch-metal", ("radius", *radius)),
+        Material::PatchMetal {
+            shape: PatchShape::Exponential { sharpness },
+            ..
+        } => ("patch-metal", ("sharpness", *sharpness)),
+        Material::MetallicPaint { sharpness, .. } => ("metallic-paint", ("sharpness", *sharpness)),
+        Material::GeneralisedLambert { smoothness, .. } => {
+            ("generalised-lambert", ("smoothness", *smoothness))
+        }
         Material::Plastic {
             exponent,
             index: None,
             ..
         } => ("plastic", ("exponent", *exponent)),
-        // As above.
         Material::Plastic { exponent, .. } => ("plastic with index", ("exponent", *exponent)),
     }
 }

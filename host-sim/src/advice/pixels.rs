@@ -6,7 +6,7 @@ use microbrdf::brdf::Brdf as _;
 use microbrdf::geometry::{Direction, ShadingFrame};
 use microbrdf::{ParameterError, Rgb};
 use microbrdf_reference as reference;
-use microbrdf_scene::{HostArithmetic, Material};
+use microbrdf_scene::{HostArithmetic, Material, PatchShape};
 
 /// Points of the sphere.
 const POINTS: u32 = 20_000;
@@ -99,8 +99,17 @@ fn lights(material: &Material, index: u32) -> [[f64; 3]; 2] {
         Material::Metal { exponent, .. } | Material::Plastic { exponent, .. } => {
             (width(*exponent), false)
         }
-        Material::Patch { radius } => ((0.5 * radius * radius).min(1.0), false),
-        Material::PatchExponential { sharpness } => {
+        Material::Patch { radius }
+        | Material::PatchMetal {
+            shape: PatchShape::Basic { radius },
+            ..
+        } => ((0.5 * radius * radius).min(1.0), false),
+        Material::PatchExponential { sharpness }
+        | Material::MetallicPaint { sharpness, .. }
+        | Material::PatchMetal {
+            shape: PatchShape::Exponential { sharpness },
+            ..
+        } => {
             let m = (9.0 / sharpness.max(1.0)).min(1.4);
             (0.5 * m * m, false)
         }
@@ -108,7 +117,7 @@ fn lights(material: &Material, index: u32) -> [[f64; 3]; 2] {
             let m = profile.reach().min(1.4);
             (0.5 * m * m, false)
         }
-        Material::Lambert { .. } => (1.0, false),
+        Material::Lambert { .. } | Material::GeneralisedLambert { .. } => (1.0, false),
     };
     let x = x * even(index, 2);
     let side = if retro { 1.0 } else { -1.0 };
@@ -137,7 +146,11 @@ fn turned(axis: [f64; 3], x: f64, phi: f64) -> [f64; 3] {
 /// Whether a patch's edge is so near that either side will do.
 fn at_jump(material: &Material, l: [f64; 3], v: [f64; 3]) -> bool {
     match material {
-        Material::Patch { radius } => ((l[0] + v[0]).hypot(l[1] + v[1]) - radius).abs() < JUMP,
+        Material::Patch { radius }
+        | Material::PatchMetal {
+            shape: PatchShape::Basic { radius },
+            ..
+        } => ((l[0] + v[0]).hypot(l[1] + v[1]) - radius).abs() < JUMP,
         _ => false,
     }
 }

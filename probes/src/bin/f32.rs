@@ -11,10 +11,12 @@ mod probe {
     use microbrdf::Rgb;
     use microbrdf::arithmetic::F32;
     use microbrdf::brdf::{
-        Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, PatchProfile, Phong,
-        Plastic, PowerModel, RetroPhong,
+        GeneralisedLambert, Lambert, Metal, MetallicPaint, MetallicPhong, PModel, Patch,
+        PatchExponential, PatchMetal, PatchProfile, Phong, Plastic, PowerModel, RetroPhong,
     };
-    use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
+    use microbrdf::table::{
+        COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve, SQUARE_KNOTS, SquareCurve,
+    };
     use microbrdf_probes::evaluate;
 
     #[allow(unsafe_code)]
@@ -46,12 +48,26 @@ mod probe {
         }
         if let Ok(model) = PatchExponential::<F32>::new(any()) {
             evaluate(&model, components, any());
+            let curve = CosineCurve::from_entries(black_box([[0; 3]; COSINE_KNOTS]));
+            evaluate(&MetallicPaint::new(model, curve), components, any());
+            evaluate(&PatchMetal::new(model, curve), components, any());
+        }
+        if let Ok(body) = Lambert::<F32>::new(Rgb::grey(any()))
+            && let Ok(curve) = SquareCurve::new(black_box([0; SQUARE_KNOTS]), black_box(0))
+        {
+            evaluate(
+                &GeneralisedLambert::new(body, curve, any()),
+                components,
+                any(),
+            );
         }
         if let Ok(profile) = ProfileCurve::new(black_box([0; PROFILE_KNOTS]), black_box(0)) {
             evaluate(&PatchProfile::<F32>::new(profile, any()), components, any());
         }
         if let Ok(model) = Plastic::<F32>::new(Rgb::grey(any()), Rgb::grey(any()), any()) {
             evaluate(&model, components, any());
+            let curve = CosineCurve::from_entries(black_box([[0; 3]; COSINE_KNOTS]));
+            evaluate(&model.with_fresnel(curve), components, any());
         }
         loop {}
     }

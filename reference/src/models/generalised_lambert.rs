@@ -1,6 +1,7 @@
 //! Generalised Lambert, f = C min((1 − m²/4)^(−d/2), ξ_max) (4.58, 4.59).
 
 use crate::albedo::directional_albedo;
+use crate::brdf::luminance;
 use crate::error::{above, within};
 use crate::geometry::{below_horizon, retro_metric_squared};
 use crate::models::entry::Claim::Conserves;
@@ -19,6 +20,7 @@ pub struct GeneralisedLambert {
     clip: f64,
     greatest: f64,
     constant: f64,
+    albedo: [f64; 3],
 }
 
 impl GeneralisedLambert {
@@ -31,9 +33,29 @@ impl GeneralisedLambert {
             clip,
             greatest: (1.0 - 0.25 * clip * clip).powf(-0.5 * d),
             constant: 1.0,
+            albedo: [1.0; 3],
         };
         model.constant = 1.0 / directional_albedo(&model, 0.0).value;
         Ok(model)
+    }
+
+    /// The same with a greatest albedo of each channel, 0 … 1, in place of 1.
+    pub fn with_albedo(self, albedo: [f64; 3]) -> Result<Self, ParameterError> {
+        let albedo = crate::error::channels_within("albedo", albedo, 0.0, 1.0)?;
+        Ok(Self { albedo, ..self })
+    }
+
+    /// Whether it is that of a smoothness and a clip.
+    pub fn is_of(&self, d: f64, clip: f64) -> bool {
+        self.d == d && self.clip == clip
+    }
+
+    /// ξ at a squared distance m², and beyond the clip ξ_max.
+    pub fn profile(&self, metric_squared: f64) -> f64 {
+        (1.0 - 0.25 * metric_squared)
+            .max(0.0)
+            .powf(-0.5 * self.d)
+            .min(self.greatest)
     }
 
     /// ξ_max = ξ(clip).
@@ -41,7 +63,7 @@ impl GeneralisedLambert {
         self.greatest
     }
 
-    /// The weight of the largest Lambertian part that can be taken out, π C.
+    /// The weight of the largest Lambertian part that can be taken out, π C for an albedo of 1.
     pub fn removable_diffuse(&self) -> f64 {
         std::f64::consts::PI * self.constant
     }
@@ -54,7 +76,26 @@ impl Brdf for GeneralisedLambert {
         }
         // 1 − m²/4 = |L_P − V_P|²/4 + (NL² + NV²)/2.
         let rest = 0.25 * retro_metric_squared(l, v) + 0.5 * (l.z * l.z + v.z * v.z);
-        self.constant * rest.min(1.0).powf(-0.5 * self.d).min(self.greatest)
+        let f = self.constant * rest.min(1.0).powf(-0.5 * self.d).min(self.greatest);
+        if self.is_coloured() {
+            luminance(self.albedo.map(|a| a * f))
+        } else {
+            self.albedo[0] * f
+        }
+    }
+
+    fn eval_rgb(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+        let white = Self {
+            albedo: [1.0; 3],
+            ..*self
+        };
+        let f = white.eval(l, v);
+        self.albedo.map(|a| a * f)
+    }
+
+    fn is_coloured(&self) -> bool {
+        let [r, g, b] = self.albedo;
+        r != g || r != b
     }
 
     fn peak(&self) -> f64 {
@@ -124,6 +165,26 @@ mod tests {
         assert!(radiance(85.0) < 0.5 * radiance(0.0));
         // Taking out the Lambertian of Table 4.3's a_diffuse would leave a negative rest.
         assert!(m.removable_diffuse() < directional_albedo_at(&m, 0.0).value);
+    }
+
+    #[test]
+    fn an_albedo_is_a_share_of_each_channel() {
+        let white = GeneralisedLambert::new(0.6, 1.9).unwrap();
+        let clay = white.with_albedo([0.7, 0.4, 0.1]).unwrap();
+        assert!(white.with_albedo([0.7, 1.1, 0.1]).is_err());
+        let l = Direction::from_degrees(60.0, 0.0);
+        let v = Direction::from_degrees(75.0, 15.0);
+        let f = clay.eval_rgb(&l, &v);
+        for (i, albedo) in [0.7, 0.4, 0.1].into_iter().enumerate() {
+            assert!((f[i] / (albedo * white.eval(&l, &v)) - 1.0).abs() < 1e-14);
+        }
+        assert!((clay.eval(&l, &v) - luminance(f)).abs() < 1e-15);
+        let m2 = retro_metric_squared(&l, &v);
+        let about_r = crate::geometry::metric_squared(&l, &v);
+        assert!(m2 < about_r, "turned back: {m2} {about_r}");
+        let expected = white.profile(about_r) / white.profile(0.0);
+        let n = Direction::NORMAL;
+        assert!((white.eval(&l, &v) / white.eval(&n, &n) / expected - 1.0).abs() < 1e-12);
     }
 
     #[test]

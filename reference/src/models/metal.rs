@@ -2,12 +2,11 @@
 //! Fresnel equations for each channel.
 
 use crate::brdf::luminance;
-use crate::colour::{FresnelCurve, MetalName};
-use crate::fresnel::Index;
+use crate::colour::MetalName;
 use crate::geometry::{below_horizon, cos_theta_min};
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example};
-use crate::models::{Energy, PModel};
+use crate::models::{Energy, PModel, Tint};
 use crate::quadrature::Chart;
 use crate::sampling::PhongLobe;
 use crate::{Brdf, Direction, ParameterError};
@@ -16,25 +15,15 @@ use crate::{Brdf, Direction, ParameterError};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Metal {
     shape: PModel,
-    colour: Colour,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-enum Colour {
-    Indices([Index; 3]),
-    Spectrum(FresnelCurve),
+    tint: Tint,
 }
 
 impl Metal {
     /// From the complex index η + ik of each channel.
     pub fn from_indices(exponent: f64, eta: [f64; 3], k: [f64; 3]) -> Result<Self, ParameterError> {
-        let mut indices = Vec::with_capacity(3);
-        for i in 0..3 {
-            indices.push(Index::new(eta[i], k[i])?);
-        }
         Ok(Self {
             shape: PModel::new(exponent, 1.0, Energy::Published)?,
-            colour: Colour::Indices([indices[0], indices[1], indices[2]]),
+            tint: Tint::from_indices(eta, k)?,
         })
     }
 
@@ -44,16 +33,13 @@ impl Metal {
     pub fn named(exponent: f64, metal: MetalName) -> Result<Self, ParameterError> {
         Ok(Self {
             shape: PModel::new(exponent, 1.0, Energy::Published)?,
-            colour: Colour::Spectrum(FresnelCurve::of_metal(metal)),
+            tint: Tint::named(metal),
         })
     }
 
     /// F(Θmin) for each channel at the given cosine.
     pub fn fresnel(&self, cos_theta: f64) -> [f64; 3] {
-        match &self.colour {
-            Colour::Indices(i) => i.map(|i| i.reflectance(cos_theta)),
-            Colour::Spectrum(s) => s.at(cos_theta),
-        }
+        self.tint.at(cos_theta)
     }
 }
 

@@ -1,8 +1,9 @@
 //! Metallic paint, f = C e^(−s·m) F(θ') (4.51, 4.54), θ' from the retro-reflective metric (4.53).
 
 use super::patch_exponential::PatchExponential;
+use super::tint::Tint;
 use crate::brdf::luminance;
-use crate::fresnel::Index;
+use crate::geometry::below_horizon;
 use crate::models::entry::Claim::Conserves;
 use crate::models::entry::{ModelEntry, example, gold};
 use crate::quadrature::Chart;
@@ -18,24 +19,23 @@ pub fn cos_theta_prime(l: &Direction, v: &Direction) -> f64 {
 /// The exponential patch model coloured by Fresnel's reflectance.
 ///
 /// The constant is (4.45)'s; the print's s²/2π (4.48) is 0.05 % below it at s = 10.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MetallicPaint {
     shape: PatchExponential,
-    indices: [Index; 3],
+    tint: Tint,
 }
 
 impl MetallicPaint {
-    /// Sharpness 0 … 1e8 (above 10 in the text) and one index for each channel.
-    pub fn new(sharpness: f64, indices: [Index; 3]) -> Result<Self, ParameterError> {
+    /// Sharpness 0 … 1e8 (above 10 in the text), and one index for each channel or a metal.
+    pub fn new(sharpness: f64, tint: impl Into<Tint>) -> Result<Self, ParameterError> {
         Ok(Self {
             shape: PatchExponential::new(sharpness)?,
-            indices,
+            tint: tint.into(),
         })
     }
 
     fn fresnel(&self, l: &Direction, v: &Direction) -> [f64; 3] {
-        let cos = cos_theta_prime(l, v);
-        self.indices.map(|i| i.reflectance(cos))
+        self.tint.at(cos_theta_prime(l, v))
     }
 }
 
@@ -45,12 +45,15 @@ impl Brdf for MetallicPaint {
     }
 
     fn eval_rgb(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+        if below_horizon(l, v) {
+            return [0.0; 3];
+        }
         let f = self.shape.eval(l, v);
         self.fresnel(l, v).map(|r| f * r)
     }
 
     fn is_coloured(&self) -> bool {
-        self.indices[0] != self.indices[1] || self.indices[0] != self.indices[2]
+        self.tint.is_coloured()
     }
 
     fn peak(&self) -> f64 {
@@ -58,6 +61,9 @@ impl Brdf for MetallicPaint {
     }
 
     fn rho(&self, l: &Direction, v: &Direction) -> [f64; 3] {
+        if below_horizon(l, v) {
+            return [0.0; 3];
+        }
         let rho = self.shape.rho(l, v)[0];
         self.fresnel(l, v).map(|r| rho * r)
     }
@@ -72,7 +78,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
     name: "metallic_paint",
     source: "(4.51) to (4.54)",
     formula: "C e^(−s·m) F(θ'), sinθ' = |L_P − V_P|/2",
-    parameters: "s 0 … 1e8; one index for each channel",
+    parameters: "s 0 … 1e8; a metal's name, or η and k of each channel",
     reciprocal: true,
     grazing: "f bounded; albedo at least half of F's",
     examples: || {
@@ -93,6 +99,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fresnel::Index;
 
     #[test]
     fn the_angle_is_that_of_the_retro_metric() {

@@ -33,6 +33,7 @@ pub const ALL: &[ModelEntry] = &[
     super::patch::ENTRY,
     super::patch_elliptic::ENTRY,
     super::patch_exponential::ENTRY,
+    super::patch_metal::ENTRY,
     super::patch_mixture::ENTRY,
     super::patch_p_norm::ENTRY,
     super::patch_plastic::ENTRY,

@@ -25,7 +25,7 @@ const SMALLEST_FLASH: u64 = 8 << 10;
 const SMALLEST_RAM: u64 = 2 << 10;
 
 /// A material of each model, with parameters of its own.
-const MODELS: [(&str, &str); 10] = [
+const MODELS: [(&str, &str); 14] = [
     ("lambert", "model = \"lambert\"\nalbedo = [0.7, 0.5, 0.3]"),
     ("phong", "model = \"phong\"\nexponent = 21"),
     (
@@ -50,6 +50,22 @@ const MODELS: [(&str, &str); 10] = [
     (
         "ceramic",
         "model = \"plastic\"\nalbedo = 0.5\nspecular = 0.25\nexponent = 29\nindex = 1.5",
+    ),
+    (
+        "patch-metal",
+        "model = \"patch-metal\"\nmetal = \"silver\"\nsharpness = 30",
+    ),
+    (
+        "basic-patch-metal",
+        "model = \"patch-metal\"\nmetal = \"gold\"\nradius = 0.31",
+    ),
+    (
+        "metallic-paint",
+        "model = \"metallic-paint\"\nmetal = \"aluminium\"\nsharpness = 32",
+    ),
+    (
+        "generalised-lambert",
+        "model = \"generalised-lambert\"\nalbedo = 0.6\nsmoothness = 0.75",
     ),
 ];
 

@@ -1,7 +1,7 @@
 //! What a material is called in a legend.
 
 use microbrdf_reference::Energy;
-use microbrdf_scene::{Material, Reflectance};
+use microbrdf_scene::{Material, PatchShape, Reflectance};
 
 /// Model and parameters, short.
 pub fn label(material: &Material) -> String {
@@ -38,11 +38,20 @@ pub fn label(material: &Material) -> String {
             exponent,
             reflectance,
         } => {
-            let name = match reflectance {
-                Reflectance::Named(metal) => metal.name(),
-                Reflectance::Index { .. } => "metal",
-            };
-            format!("{name}, n = {exponent}")
+            format!("{}, n = {exponent}", name(reflectance))
+        }
+        Material::PatchMetal { shape, reflectance } => match shape {
+            PatchShape::Basic { radius } => format!("{} patch, R = {radius}", name(reflectance)),
+            PatchShape::Exponential { sharpness } => {
+                format!("{} patch, s = {sharpness}", name(reflectance))
+            }
+        },
+        Material::MetallicPaint {
+            sharpness,
+            reflectance,
+        } => format!("{} paint, s = {sharpness}", name(reflectance)),
+        Material::GeneralisedLambert { smoothness, .. } => {
+            format!("generalised Lambert, d = {smoothness}")
         }
         Material::Plastic {
             exponent, index, ..
@@ -50,5 +59,13 @@ pub fn label(material: &Material) -> String {
             let index = index.map_or_else(String::new, |index| format!(", index {index}"));
             format!("plastic, n = {exponent}{index}")
         }
+    }
+}
+
+/// What a metal is called.
+fn name(reflectance: &Reflectance) -> &'static str {
+    match reflectance {
+        Reflectance::Named(metal) => metal.name(),
+        Reflectance::Index { .. } => "metal",
     }
 }
