@@ -63,6 +63,9 @@ impl Plain {
         if scene.planes.iter().any(|plane| plane.checker.is_some()) {
             return Err("no plane has a checker in the plain renderer".to_owned());
         }
+        if scene.view.is_some() {
+            return Err("there is no mesh in the plain renderer".to_owned());
+        }
         let coats = scene.materials.iter().map(|(name, material)| {
             let model = model(material)
                 .ok_or_else(|| format!("the plain renderer has no model for material.{name}"))?;
