@@ -4,11 +4,14 @@ use microbrdf_reference::{ciede2000, decode_srgb};
 use serde_json::{Value, json};
 
 use crate::picture::Picture;
-use crate::reference_picture::Exact;
+use crate::reference_picture::{Exact, ExactPixel};
 
 /// A pixel this near to a jump may fall on its other side. Single precision
 /// places a silhouette to about 3e-6 radii at 30 radii from the eye.
 pub const JUMP: f64 = 1e-5;
+/// A light need turn by no more for an edge of a shadow to pass: `q15` rounds
+/// three components by 2⁻¹⁵ each.
+pub const SHADOW_JUMP: f64 = 6e-5;
 
 /// What the comparison of a picture with the reference found.
 #[derive(Clone, Debug, Default)]
@@ -40,7 +43,7 @@ impl Measured {
             let error = |i: usize| pixel[i].abs_diff(codes[i].round() as u8);
             let rounded = codes.map(|code| code.round() as u8);
             differences.push(difference(*pixel, rounded));
-            if flipped(*pixel, rounded, reference.jump) {
+            if flipped(*pixel, rounded, reference) {
                 result.class_flips += 1;
                 continue;
             }
@@ -85,8 +88,8 @@ impl Measured {
 }
 
 /// Whether a pixel that is more than one code off lies on a jump.
-fn flipped(pixel: [u8; 3], exact: [u8; 3], jump: f64) -> bool {
-    jump <= JUMP && (0..3).any(|i| pixel[i].abs_diff(exact[i]) > 1)
+fn flipped(pixel: [u8; 3], exact: [u8; 3], reference: &ExactPixel) -> bool {
+    reference.may_flip() && (0..3).any(|i| pixel[i].abs_diff(exact[i]) > 1)
 }
 
 fn difference(a: [u8; 3], b: [u8; 3]) -> f64 {
@@ -100,9 +103,9 @@ fn difference(a: [u8; 3], b: [u8; 3]) -> f64 {
 /// The errors as a picture: black where the code is exact, blue one off,
 /// yellow two, red three or more; magenta for class flips.
 pub fn heat_map(picture: &Picture, exact: &Exact) -> Picture {
-    let heat = |(pixel, reference): (&[u8; 3], &crate::reference_picture::ExactPixel)| {
+    let heat = |(pixel, reference): (&[u8; 3], &ExactPixel)| {
         let codes = reference.code().map(|code| code.round() as u8);
-        if flipped(*pixel, codes, reference.jump) {
+        if flipped(*pixel, codes, reference) {
             return [255, 0, 255];
         }
         match (0..3)

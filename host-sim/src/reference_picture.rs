@@ -5,11 +5,12 @@ use std::sync::Arc;
 use microbrdf_reference::light::{Illumination, Light};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
 use microbrdf_scene::{
-    AlbedoTable, Description, LightDescription, Material, PatchShape, PlaneDescription,
-    camera_frame, half_pixel, plane_axes,
+    AlbedoTable, AnySamples, Description, LightDescription, LightKind, Material, PatchShape,
+    PlaneDescription, camera_frame, half_pixel, plane_axes,
 };
 use rayon::prelude::*;
 
+use crate::measure::{JUMP, SHADOW_JUMP};
 use crate::picture::Picture;
 use crate::progress::Progress;
 
@@ -22,9 +23,17 @@ pub struct ExactPixel {
     /// objects meet), of a model (the edge of a patch) or of a checker, in
     /// radii, in m, or as the angle by which the ray must turn.
     pub jump: f64,
+    /// The angle in rad by which a light must turn for the nearest edge of a
+    /// shadow to pass here.
+    pub shadow: f64,
 }
 
 impl ExactPixel {
+    /// Whether rounding may put it on the other side of a jump.
+    pub fn may_flip(&self) -> bool {
+        self.jump <= JUMP || self.shadow <= SHADOW_JUMP
+    }
+
     /// The sRGB code as a real number, 0 … 255.
     pub fn code(&self) -> [f64; 3] {
         self.linear.map(|linear| 255.0 * encode_srgb(linear))
@@ -121,6 +130,7 @@ fn surface(material: &Material, model: &dyn Fn(&Material) -> Model, daylight: bo
     }
 }
 
+/// The mean of the pixel's rays, each clamped.
 fn pixel(
     description: &Description,
     surfaces: &[Surface],
@@ -128,16 +138,66 @@ fn pixel(
     x: usize,
     y: usize,
 ) -> ExactPixel {
+    let rays: &[[f64; 2]] = match description.samples {
+        AnySamples::One => &[[0.0, 0.0]],
+        AnySamples::Four => &FOUR,
+    };
+    let mut mean = ExactPixel {
+        linear: [0.0; 3],
+        jump: f64::INFINITY,
+        shadow: f64::INFINITY,
+    };
+    for offset in rays {
+        let ray = ray(description, surfaces, lights, [x, y], *offset);
+        for (mean, linear) in mean.linear.iter_mut().zip(ray.linear) {
+            *mean += linear / rays.len() as f64;
+        }
+        mean.jump = mean.jump.min(ray.jump);
+        mean.shadow = mean.shadow.min(ray.shadow);
+    }
+    mean
+}
+
+/// Four places in a pixel, to the right of its middle and below it, in half
+/// pixels.
+const FOUR: [[f64; 2]; 4] = [[-0.25, -0.75], [0.75, -0.25], [-0.75, 0.25], [0.25, 0.75]];
+
+/// What a ray was traced to.
+struct Hit {
+    depth: f64,
+    normal: [f64; 3],
+    material: usize,
+    /// Distance to an edge of a checker, as an angle.
+    edge: f64,
+    /// What throws no shadow on itself.
+    object: Object,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Object {
+    Sphere(usize),
+    Plane(usize),
+    Mesh,
+}
+
+/// What a ray sees that passes a place in a pixel.
+fn ray(
+    description: &Description,
+    surfaces: &[Surface],
+    lights: &[Light],
+    [x, y]: [usize; 2],
+    [right_of, below]: [f64; 2],
+) -> ExactPixel {
     let camera = &description.camera;
     let [ahead, right, up] = camera_frame(camera);
     let step = half_pixel(camera);
-    let column = (2 * x + 1) as f64 - f64::from(camera.width);
-    let row = f64::from(camera.height) - (2 * y + 1) as f64;
+    let column = (2 * x + 1) as f64 - f64::from(camera.width) + right_of;
+    let row = f64::from(camera.height) - (2 * y + 1) as f64 - below;
     let ray = [0, 1, 2].map(|i| ahead[i] + step * (column * right[i] + row * up[i]));
     let d = scaled(ray, 1.0 / dot(ray, ray).sqrt());
     let mut jump = f64::INFINITY;
-    let mut hits: Vec<(f64, [f64; 3], usize, f64)> = Vec::new();
-    for sphere in &description.spheres {
+    let mut hits: Vec<Hit> = Vec::new();
+    for (index, sphere) in description.spheres.iter().enumerate() {
         let eye = [0, 1, 2].map(|i| (camera.eye[i] - sphere.center[i]) / sphere.radius);
         let along = -dot(eye, d);
         let nearest = [0, 1, 2].map(|i| eye[i] + along * d[i]);
@@ -150,10 +210,16 @@ fn pixel(
             let half = (1.0 - square).sqrt();
             let normal = [0, 1, 2].map(|i| nearest[i] - half * d[i]);
             let depth = sphere.radius * (along - half);
-            hits.push((depth, normal, sphere.material, f64::INFINITY));
+            hits.push(Hit {
+                depth,
+                normal,
+                material: sphere.material,
+                edge: f64::INFINITY,
+                object: Object::Sphere(index),
+            });
         }
     }
-    for plane in &description.planes {
+    for (index, plane) in description.planes.iter().enumerate() {
         let descent = -dot(plane.normal, d);
         jump = jump.min(descent.abs());
         if descent > 0.0 {
@@ -163,24 +229,44 @@ fn pixel(
             let (material, edge) = squares(plane, place);
             // A turn moves the place by up to depth / descent.
             let edge = edge * descent / depth;
-            hits.push((depth, plane.normal, material, edge));
+            hits.push(Hit {
+                depth,
+                normal: plane.normal,
+                material,
+                edge,
+                object: Object::Plane(index),
+            });
         }
     }
     // What is seen of a mesh was resolved when the scene was read, for all
     // arithmetics alike: there it jumps nowhere.
     if let Some(seen) = description.view.as_ref().and_then(|view| view.at(x, y)) {
-        hits = vec![(seen.depth, seen.normal, seen.material, f64::INFINITY)];
+        hits = vec![Hit {
+            depth: seen.depth,
+            normal: seen.normal,
+            material: seen.material,
+            edge: f64::INFINITY,
+            object: Object::Mesh,
+        }];
         jump = f64::INFINITY;
     }
-    hits.sort_by(|a, b| a.0.total_cmp(&b.0));
-    if let [first, second, ..] = hits[..] {
-        jump = jump.min((second.0 - first.0) / first.0);
+    hits.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    if let [first, second, ..] = &hits[..] {
+        jump = jump.min((second.depth - first.depth) / first.depth);
     }
     let exposed = |light: [f64; 3]| light.map(|l| (l * description.exposure).clamp(0.0, 1.0));
-    let Some(&(depth, normal, material, edge)) = hits.first() else {
+    let Some(&Hit {
+        depth,
+        normal,
+        material,
+        edge,
+        object,
+    }) = hits.first()
+    else {
         return ExactPixel {
             linear: exposed(description.background),
             jump,
+            shadow: f64::INFINITY,
         };
     };
     jump = jump.min(edge);
@@ -188,13 +274,14 @@ fn pixel(
     let surface = &surfaces[material];
     let v = scaled(d, -1.0);
     let mut light = [0.0; 3];
+    let mut shadow = f64::INFINITY;
     if let (Some(table), Some(sky)) = (&surface.albedo, description.daylight) {
         let albedo = table.at(dot(normal, v));
         for i in 0..3 {
             light[i] += albedo[i] * sky[i];
         }
     }
-    for source in lights {
+    for (source, described) in lights.iter().zip(&description.lights) {
         let Illumination::Beam {
             to_light: Direction { x, y, z },
             normal_irradiance,
@@ -202,6 +289,20 @@ fn pixel(
         else {
             continue;
         };
+        if description.shadows && dot(normal, [x, y, z]) > 0.0 {
+            let reach = match described.kind {
+                LightKind::Directional { .. } => f64::INFINITY,
+                LightKind::Point { position, .. } | LightKind::Flood { position, .. } => {
+                    let to = [0, 1, 2].map(|i| position[i] - place[i]);
+                    dot(to, to).sqrt()
+                }
+            };
+            let (hidden, angle) = hidden(description, object, place, [x, y, z], reach);
+            shadow = shadow.min(angle);
+            if hidden {
+                continue;
+            }
+        }
         let (l, v) = to_frame(normal, [x, y, z], v);
         let reflected = surface.model.reflect(&l, &v);
         for i in 0..3 {
@@ -216,7 +317,45 @@ fn pixel(
     ExactPixel {
         linear: exposed(light),
         jump,
+        shadow,
     }
+}
+
+/// Whether anything but `own` stands within `reach` of a place in the
+/// direction `l`, and the angle by which `l` must turn to pass the nearest
+/// edge of a sphere.
+fn hidden(
+    description: &Description,
+    own: Object,
+    place: [f64; 3],
+    l: [f64; 3],
+    reach: f64,
+) -> (bool, f64) {
+    let mut hidden = false;
+    let mut angle = f64::INFINITY;
+    for (index, sphere) in description.spheres.iter().enumerate() {
+        if own == Object::Sphere(index) {
+            continue;
+        }
+        let to = [0, 1, 2].map(|i| sphere.center[i] - place[i]);
+        let distance = dot(to, to).sqrt();
+        let ahead = dot(to, l);
+        let aside = cross(to, l);
+        let aside = dot(aside, aside).sqrt();
+        let half = sphere.radius.powi(2) - aside.powi(2);
+        hidden |= ahead > 0.0 && half > 0.0 && ahead - half.sqrt() < reach;
+        if ahead > 0.0 && ahead - sphere.radius < reach {
+            angle = angle.min((aside - sphere.radius).abs() / distance);
+        }
+    }
+    for (index, plane) in description.planes.iter().enumerate() {
+        let from = [0, 1, 2].map(|i| place[i] - plane.point[i]);
+        let descent = -dot(plane.normal, l);
+        hidden |= own != Object::Plane(index)
+            && descent > 0.0
+            && dot(from, plane.normal) / descent < reach;
+    }
+    (hidden, angle)
 }
 
 /// The material at a place, given as seen from the plane's point, and the

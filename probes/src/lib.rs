@@ -11,6 +11,7 @@
 mod fixed_point;
 #[cfg(target_os = "none")]
 mod handler;
+mod pixel;
 
 use core::hint::black_box;
 

@@ -14,6 +14,7 @@ use crate::host::HostArithmetic;
 use crate::material::{Material, PatchShape};
 use crate::model::generalised_profile;
 use crate::prepare::{Prepared, PreparedCoat, PreparedPart};
+use crate::quality::{AnySamples, AnyShadows};
 
 /// Writes the module that firmware includes: the constants `NAME`,
 /// `ARITHMETIC`, `WIDTH`, `HEIGHT`, `EXPOSURE` and `DITHER`, and the function
@@ -257,12 +258,12 @@ fn materials(code: &mut String, count: usize) {
     let each = |text: &dyn Fn(usize) -> String| (0..count).map(text).collect::<String>();
     let variants = each(&|i| format!("    Material{i}(&'static Material{i}),\n"));
     let arms = each(&|i| {
-        format!("            Self::Material{i}(coat) => coat.light(n, v, lights, place),\n")
+        format!("            Self::Material{i}(coat) => coat.light(n, v, lights, spot),\n")
     });
     let values = each(&|i| format!("Material::Material{i}(&MATERIAL_{i}), "));
     let body = if count == 0 {
         // No object: nothing asks for light.
-        "let _ = (n, v, lights, place);\n        match *self {}".to_owned()
+        "let _ = (n, v, lights, spot);\n        match *self {}".to_owned()
     } else {
         format!("match self {{\n{arms}        }}")
     };
@@ -270,7 +271,7 @@ fn materials(code: &mut String, count: usize) {
         code,
         "\n#[derive(Clone, Copy)]\nenum Material {{\n{variants}}}\n\n\
          impl Surface<A> for Material {{\n    #[inline]\n    \
-         fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], place: impl Fn() -> <A as Placing>::Place + Copy) -> \
+         fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], spot: impl Spot<A>) -> \
          Rgb<<A as Arithmetic>::Light> {{\n        {body}\n    }}\n}}\n\n\
          static MATERIALS: [Material; {count}] = [{values}];\n\n"
     );
@@ -338,15 +339,23 @@ fn scene<A: HostArithmetic>(
         })
         .collect();
     let (ground, planes) = planes(prepared);
+    let shadows = match prepared.shadows {
+        AnyShadows(true) => "Shadowed",
+        AnyShadows(false) => "Unshadowed",
+    };
+    let samples = match prepared.samples {
+        AnySamples::One => "OneSample",
+        AnySamples::Four => "FourSamples",
+    };
     let camera = &prepared.camera;
     let [r, g, b] = prepared.background.to_raw();
     let _ = write!(
         code,
-        "static SCENE: Scene<'static, A, Material, {ground}, {lamp}, {seen}> = Scene {{\n    camera: Camera {{\n        \
+        "static SCENE: Scene<'static, A, Material, {ground}, {lamp}, {seen}, {shadows}, {samples}> = Scene {{\n    camera: Camera {{\n        \
          width: {}, height: {},\n        forward: {},\n        right: {},\n        up: {},\n    \
          }},\n    view: {view},\n    spheres: &[\n{spheres}    ],\n    planes: &[\n{planes}    ],\n    \
          lights: &LIGHTS,\n    materials: &MATERIALS,\n    \
-         background: Linear::from_raw({r}, {g}, {b}),\n}};\n\n\
+         background: Linear::from_raw({r}, {g}, {b}),\n    shadows: {shadows},\n    samples: {samples},\n}};\n\n\
          /// Shades row `y`, calling `sink` with each column and its light, left to right.\n\
          pub fn shade_row(y: usize, sink: impl FnMut(usize, Linear)) {{\n    \
          SCENE.shade_row(y, sink);\n}}\n",

@@ -38,6 +38,14 @@ impl<A: HostArithmetic> Light<A> for AnyLight<A> {
             Self::Flood(flood) => flood.light.beam(place),
         }
     }
+
+    fn lamp(&self) -> Option<&[A::Length; 3]> {
+        match self {
+            Self::Directional(direction) => direction.lamp(),
+            Self::Point(lamp) => lamp.lamp(),
+            Self::Flood(flood) => flood.light.lamp(),
+        }
+    }
 }
 
 impl LightDescription {

@@ -16,6 +16,7 @@ mod mesh;
 mod model;
 mod prepare;
 mod profile;
+mod quality;
 mod reader;
 mod square;
 mod surface;
@@ -39,6 +40,7 @@ pub use mesh::{
 pub use model::AnyModel;
 pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel, plane_axes};
 pub use profile::Profile;
+pub use quality::{AnySamples, AnyShadows};
 pub use reader::Colour;
 pub use square::SquareProfile;
-pub use surface::{AnyDaylight, AnySurface, SceneParts};
+pub use surface::{AnyDaylight, AnyScene, AnySurface, SceneParts};

@@ -1,18 +1,21 @@
 //! A description in one arithmetic's numbers.
 
 use microbrdf::ParameterError;
-use microbrdf::shade::{Camera, Checker, LINEAR_ONE, Linear, Plane, Sphere};
+use microbrdf::shade::{Camera, Checker, LINEAR_ONE, Linear, Plane, Samples as _, Sphere};
 use microbrdf::table::CosineCurve;
 use microbrdf_reference as reference;
 
 use crate::albedo::AlbedoTable;
 use crate::curve::cosine_curve;
-use crate::description::{CameraDescription, Description, LightKind, PlaneDescription};
+use crate::description::{
+    CameraDescription, Description, LightDescription, LightKind, PlaneDescription,
+};
 use crate::host::HostArithmetic;
 use crate::lamp::{AnyLight, rounded};
 use crate::material::{Material, Reflectance};
 use crate::mesh::PreparedView;
 use crate::model::AnyModel;
+use crate::quality::{AnySamples, AnyShadows};
 use crate::reader::Colour;
 use crate::vector::{cross, dot, length, sub};
 
@@ -33,6 +36,10 @@ pub struct Prepared<A: HostArithmetic> {
     pub coats: Vec<PreparedCoat<A>>,
     /// What a ray that meets nothing sees.
     pub background: Linear,
+    /// Whether its spheres throw shadows.
+    pub shadows: AnyShadows,
+    /// How many rays a pixel is made of.
+    pub samples: AnySamples,
 }
 
 /// A material under the scene's lights.
@@ -71,6 +78,9 @@ impl Description {
         let mut lights = Vec::new();
         let mut irradiances = Vec::new();
         for (index, light) in self.lights.iter().enumerate() {
+            if self.shadows && self.behind_a_plane(light) {
+                continue;
+            }
             let (prepared, factor) = light
                 .prepare::<A>(eye)
                 .map_err(|error| format!("light[{}]: {error}", index + 1))?;
@@ -78,11 +88,11 @@ impl Description {
             irradiances.push(light.color.map(|c| c * factor));
         }
         Ok(Prepared {
-            camera: camera(&self.camera),
+            camera: camera(&self.camera, self.samples.side()),
             view: self.view.as_ref().map(|view| {
                 let lamp = |kind| !matches!(kind, LightKind::Directional { .. });
-                let lamps = self.lights.iter().any(|light| lamp(light.kind));
-                PreparedView::new(view, &self.materials, lamps)
+                let places = self.shadows || self.lights.iter().any(|light| lamp(light.kind));
+                PreparedView::new(view, &self.materials, places)
             }),
             spheres: self
                 .spheres
@@ -104,6 +114,19 @@ impl Description {
                 })
                 .collect::<Result<_, _>>()?,
             background: Linear::from_raw(r, g, b),
+            shadows: AnyShadows(self.shadows),
+            samples: self.samples,
+        })
+    }
+
+    /// Whether a plane keeps the light from everything: the eye, and so
+    /// whatever it sees, is before every plane.
+    fn behind_a_plane(&self, light: &LightDescription) -> bool {
+        self.planes.iter().any(|plane| match light.kind {
+            LightKind::Directional { direction } => dot(direction, plane.normal) < 0.0,
+            LightKind::Point { position, .. } | LightKind::Flood { position, .. } => {
+                dot(sub(position, plane.point), plane.normal) < 0.0
+            }
         })
     }
 
@@ -233,12 +256,13 @@ pub fn half_pixel(camera: &CameraDescription) -> f64 {
     (0.5 * camera.fov.to_radians()).tan() / f64::from(camera.height)
 }
 
-fn camera<A: HostArithmetic>(camera: &CameraDescription) -> Camera<A> {
+/// `side` columns and rows for each of the picture's.
+fn camera<A: HostArithmetic>(camera: &CameraDescription, side: u16) -> Camera<A> {
     let [ahead, right, up] = camera_frame(camera);
-    let step = half_pixel(camera);
+    let step = half_pixel(camera) / f64::from(side);
     Camera {
-        width: camera.width,
-        height: camera.height,
+        width: camera.width * side,
+        height: camera.height * side,
         forward: ahead.map(A::fine),
         right: right.map(|c| A::fine(c * step)),
         up: up.map(|c| A::fine(c * step)),

@@ -2,13 +2,14 @@
 
 use microbrdf::Rgb;
 use microbrdf::geometry::Direction;
-use microbrdf::shade::{AlbedoDaylight, Checker, Coat, Daylight, Light, Scene, Surface};
+use microbrdf::shade::{AlbedoDaylight, Checker, Coat, Daylight, Light, Scene, Spot, Surface};
 
 use crate::host::HostArithmetic;
 use crate::lamp::AnyLight;
 use crate::mesh::AnyView;
 use crate::model::AnyModel;
 use crate::prepare::{Prepared, PreparedCoat};
+use crate::quality::{AnySamples, AnyShadows};
 
 /// The core's coat with any model and perhaps a sky.
 type AnyCoat<'a, A> = Coat<'a, A, AnyModel<A>, AnyDaylight<A>>;
@@ -38,15 +39,27 @@ impl<A: HostArithmetic> Surface<A> for AnySurface<'_, A> {
         n: &Direction<A>,
         v: &Direction<A>,
         lights: &[impl Light<A>],
-        place: impl Fn() -> A::Place + Copy,
+        spot: impl Spot<A>,
     ) -> Rgb<A::Light> {
         self.rest
             .iter()
-            .fold(self.first.light(n, v, lights, place), |sum, coat| {
-                sum.zip(coat.light(n, v, lights, place), A::add_light)
+            .fold(self.first.light(n, v, lights, spot), |sum, coat| {
+                sum.zip(coat.light(n, v, lights, spot), A::add_light)
             })
     }
 }
+
+/// A scene of anything.
+pub type AnyScene<'a, A> = Scene<
+    'a,
+    A,
+    AnySurface<'a, A>,
+    Checker<A>,
+    AnyLight<A>,
+    AnyView<'a, A>,
+    AnyShadows,
+    AnySamples,
+>;
 
 /// What a [`Scene`] borrows from.
 #[derive(Clone, Debug)]
@@ -87,10 +100,7 @@ impl<A: HostArithmetic> SceneParts<A> {
 
     /// The scene with these materials.
     #[must_use]
-    pub fn scene<'a>(
-        &'a self,
-        materials: &'a [AnySurface<'a, A>],
-    ) -> Scene<'a, A, AnySurface<'a, A>, Checker<A>, AnyLight<A>, AnyView<'a, A>> {
+    pub fn scene<'a>(&'a self, materials: &'a [AnySurface<'a, A>]) -> AnyScene<'a, A> {
         Scene {
             camera: self.prepared.camera,
             view: AnyView(self.prepared.view.as_ref()),
@@ -99,6 +109,8 @@ impl<A: HostArithmetic> SceneParts<A> {
             lights: &self.prepared.lights,
             materials,
             background: self.prepared.background,
+            shadows: self.prepared.shadows,
+            samples: self.prepared.samples,
         }
     }
 }

@@ -45,6 +45,15 @@ impl Light<A> for Lamp {
             Self::Flood(lamp) => lamp.beam(place),
         }
     }
+
+    #[inline]
+    fn lamp(&self) -> Option<&[<A as Tracing>::Length; 3]> {
+        match self {
+            Self::Directional(light) => light.lamp(),
+            Self::Point(light) => light.lamp(),
+            Self::Flood(light) => light.lamp(),
+        }
+    }
 }
 
 static LIGHTS: [Lamp; 3] = [Lamp::Directional(Direction::new(I2F14::from_bits(-6580), I2F14::from_bits(-9212), I2F14::from_bits(11844))), Lamp::Point(PointLight { position: [I8F24::from_bits(8388608), I8F24::from_bits(75497472), I8F24::from_bits(8388608)], near: I8F24::from_bits(48524743) }), Lamp::Flood(&LIGHT_2)];
@@ -104,20 +113,20 @@ enum Material {
 
 impl Surface<A> for Material {
     #[inline]
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], place: impl Fn() -> <A as Placing>::Place + Copy) -> Rgb<<A as Arithmetic>::Light> {
+    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], spot: impl Spot<A>) -> Rgb<<A as Arithmetic>::Light> {
         match self {
-            Self::Material0(coat) => coat.light(n, v, lights, place),
-            Self::Material1(coat) => coat.light(n, v, lights, place),
-            Self::Material2(coat) => coat.light(n, v, lights, place),
-            Self::Material3(coat) => coat.light(n, v, lights, place),
-            Self::Material4(coat) => coat.light(n, v, lights, place),
+            Self::Material0(coat) => coat.light(n, v, lights, spot),
+            Self::Material1(coat) => coat.light(n, v, lights, spot),
+            Self::Material2(coat) => coat.light(n, v, lights, spot),
+            Self::Material3(coat) => coat.light(n, v, lights, spot),
+            Self::Material4(coat) => coat.light(n, v, lights, spot),
         }
     }
 }
 
 static MATERIALS: [Material; 5] = [Material::Material0(&MATERIAL_0), Material::Material1(&MATERIAL_1), Material::Material2(&MATERIAL_2), Material::Material3(&MATERIAL_3), Material::Material4(&MATERIAL_4), ];
 
-static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView> = Scene {
+static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView, Unshadowed, OneSample> = Scene {
     camera: Camera {
         width: 96, height: 64,
         forward: [I24F40::from_bits(0), I24F40::from_bits(1068454496821), I24F40::from_bits(-259481806371)],
@@ -137,6 +146,8 @@ static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView> = Scene {
     lights: &LIGHTS,
     materials: &MATERIALS,
     background: Linear::from_raw(268435, 402653, 671089),
+    shadows: Unshadowed,
+    samples: OneSample,
 };
 
 /// Shades row `y`, calling `sink` with each column and its light, left to right.

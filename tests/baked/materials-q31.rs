@@ -84,20 +84,20 @@ enum Material {
 
 impl Surface<A> for Material {
     #[inline]
-    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], place: impl Fn() -> <A as Placing>::Place + Copy) -> Rgb<<A as Arithmetic>::Light> {
+    fn light(&self, n: &Direction<A>, v: &Direction<A>, lights: &[impl Light<A>], spot: impl Spot<A>) -> Rgb<<A as Arithmetic>::Light> {
         match self {
-            Self::Material0(coat) => coat.light(n, v, lights, place),
-            Self::Material1(coat) => coat.light(n, v, lights, place),
-            Self::Material2(coat) => coat.light(n, v, lights, place),
-            Self::Material3(coat) => coat.light(n, v, lights, place),
-            Self::Material4(coat) => coat.light(n, v, lights, place),
+            Self::Material0(coat) => coat.light(n, v, lights, spot),
+            Self::Material1(coat) => coat.light(n, v, lights, spot),
+            Self::Material2(coat) => coat.light(n, v, lights, spot),
+            Self::Material3(coat) => coat.light(n, v, lights, spot),
+            Self::Material4(coat) => coat.light(n, v, lights, spot),
         }
     }
 }
 
 static MATERIALS: [Material; 5] = [Material::Material0(&MATERIAL_0), Material::Material1(&MATERIAL_1), Material::Material2(&MATERIAL_2), Material::Material3(&MATERIAL_3), Material::Material4(&MATERIAL_4), ];
 
-static SCENE: Scene<'static, A, Material, Plane<A>, Direction<A>, NoView> = Scene {
+static SCENE: Scene<'static, A, Material, Plane<A>, Direction<A>, NoView, Unshadowed, OneSample> = Scene {
     camera: Camera {
         width: 96, height: 48,
         forward: [I24F40::from_bits(0), I24F40::from_bits(1092786722931), I24F40::from_bits(-121420746992)],
@@ -117,6 +117,8 @@ static SCENE: Scene<'static, A, Material, Plane<A>, Direction<A>, NoView> = Scen
     lights: &LIGHTS,
     materials: &MATERIALS,
     background: Linear::from_raw(335544, 503316, 838861),
+    shadows: Unshadowed,
+    samples: OneSample,
 };
 
 /// Shades row `y`, calling `sink` with each column and its light, left to right.

@@ -208,12 +208,80 @@ albedo = [0.7, 0.4, 0.3]
 smoothness = 0.8
 "#;
 
+/// Shadows of a light of each kind, on a checker, a wall and spheres, with four
+/// rays a pixel.
+pub const SHADOWS: &str = r#"exposure = 0.8
+shadows = true
+samples = 4
+background = [0.02, 0.03, 0.05]
+[camera]
+width = 72
+height = 48
+eye = [0.0, -7.0, 2.0]
+target = [0.0, 0.0, 0.1]
+fov = 35.0
+[daylight]
+color = [0.1, 0.12, 0.15]
+[[light]]
+kind = "directional"
+direction = [-0.6, -0.5, 0.7]
+color = [2.0, 1.9, 1.7]
+[[light]]
+kind = "point"
+position = [2.5, -2.5, 2.0]
+intensity = [6.0, 5.0, 4.0]
+[[light]]
+kind = "flood"
+position = [-3.0, -1.0, 4.0]
+axis = [0.6, 0.2, -1.0]
+exponent = 6
+intensity = [9.0, 12.0, 20.0]
+[[plane]]
+point = [0.1, 0.05, -1.0]
+normal = [0.0, 0.0, 1.0]
+material = "floor"
+checker = { material = "clay", size = 0.8 }
+[[plane]]
+point = [0.0, 3.0, 0.0]
+normal = [0.1, -1.0, 0.0]
+material = "clay"
+[[sphere]]
+center = [-1.3, 0.0, 0.0]
+radius = 1.0
+material = "gold"
+[[sphere]]
+center = [1.2, 0.6, -0.1]
+radius = 0.9
+material = "between"
+[[sphere]]
+center = [0.3, -1.3, -0.4]
+radius = 0.4
+material = "clay"
+[material.floor]
+model = "plastic"
+albedo = 0.4
+specular = 0.3
+exponent = 50
+[material.clay]
+model = "lambert"
+albedo = [0.5, 0.3, 0.2]
+[material.gold]
+model = "metal"
+metal = "gold"
+exponent = 36
+[material.between]
+model = "phong"
+exponent = 9
+p = 0.5
+"#;
+
 /// Scenes by name.
-pub const SCENES: [(&str, &str); 4] = [
+pub const SCENES: [(&str, &str); 5] = [
     ("lamps", LAMPS),
     ("mesh", MESH),
     ("matt", MATT),
     ("materials", MATERIALS),
+    ("shadows", SHADOWS),
 ];
 
 /// Arithmetics that they are baked in.

@@ -2,7 +2,7 @@
 
 use microbrdf_scene::Description;
 use microbrdf_sim::arithmetic::ArithmeticName;
-use microbrdf_sim::measure::{JUMP, Measured};
+use microbrdf_sim::measure::Measured;
 use microbrdf_sim::picture::Picture;
 use microbrdf_sim::reference_picture::{self, Exact};
 use microbrdf_sim::render;
@@ -52,11 +52,10 @@ impl Case {
     /// Pixels that are near enough to a jump to be counted as class flips.
     #[must_use]
     pub fn exempt(&self) -> usize {
-        let near = |jump: f64| jump <= JUMP;
         self.exact
             .pixels
             .iter()
-            .filter(|pixel| near(pixel.jump))
+            .filter(|pixel| pixel.may_flip())
             .count()
     }
 }

@@ -38,6 +38,9 @@ baked! {
     materials_f32 "materials" "f32",
     materials_q31 "materials" "q31",
     materials_q15 "materials" "q15",
+    shadows_f32 "shadows" "f32",
+    shadows_q31 "shadows" "q31",
+    shadows_q15 "shadows" "q15",
 }
 
 /// The file is what the scene bakes to now, and its rows are the host's.

@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use super::Tracing;
+use super::{Sphere, Tracing};
 use crate::geometry::Direction;
 
 /// An arithmetic that can also tell where a ray meets a shape. What does not
@@ -32,6 +32,20 @@ pub trait Placing: Tracing {
         lamp: &[Self::Length; 3],
         near: Self::Length,
     ) -> (Direction<Self>, Self::Dimming);
+    /// Whether a sphere stands between a place, which is not within it, and a
+    /// light in the direction `l`: a lamp, as seen from the eye, or one at
+    /// infinity. A place upon the sphere counts as hidden where the light is
+    /// below its horizon.
+    ///
+    /// The light's ray passes the centre at |from × l|, `from` leading from the
+    /// centre to the place; that is compared with the radius, so that nothing
+    /// cancels at the edge.
+    fn hides(
+        sphere: &Sphere<Self>,
+        place: &Self::Place,
+        l: &Direction<Self>,
+        lamp: Option<&[Self::Length; 3]>,
+    ) -> bool;
     /// dimming · share.
     fn narrow(dimming: Self::Dimming, share: Self::Unit) -> Self::Dimming;
     /// share · dimming.

@@ -1,6 +1,6 @@
 //! Places in single precision.
 
-use super::Placing;
+use super::{Placing, Sphere};
 use crate::arithmetic::{Arithmetic, Float, Math};
 use crate::geometry::Direction;
 
@@ -33,6 +33,31 @@ impl<M: Math> Placing for Float<M> {
         // `min` takes what is not a number to 1; then no cosine is a number,
         // either, and the share is 0.
         (Direction::new(x, y, z), (reach * reach).min(1.0))
+    }
+
+    #[inline]
+    fn hides(
+        sphere: &Sphere<Self>,
+        place: &[f32; 3],
+        l: &Direction<Self>,
+        lamp: Option<&[f32; 3]>,
+    ) -> bool {
+        let from = [0, 1, 2].map(|i| place[i] + sphere.eye[i] * sphere.radius);
+        let along = |v: [f32; 3]| v[0] * l.x + v[1] * l.y + v[2] * l.z;
+        let ahead = -along(from);
+        if ahead <= 0.0 {
+            return false;
+        }
+        let [x, y, z] = from;
+        let aside = [y * l.z - z * l.y, z * l.x - x * l.z, x * l.y - y * l.x];
+        // A lamp before the nearest point is hidden only within the sphere.
+        let beyond = match lamp {
+            Some(lamp) => (ahead - along([0, 1, 2].map(|i| lamp[i] - place[i]))).max(0.0),
+            None => 0.0,
+        };
+        // All lengths are |l| times what they are: `micromath`'s is not quite 1.
+        let radius = sphere.radius * sphere.radius;
+        Self::square(aside) + beyond * beyond < radius * Self::square([l.x, l.y, l.z])
     }
 
     #[inline]

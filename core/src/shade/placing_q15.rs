@@ -3,8 +3,8 @@
 
 use fixed::types::{I8F24, I24F40, U1F31};
 
-use super::Placing;
-use super::tracing_q15::rounded;
+use super::tracing_q15::{rounded, widened};
+use super::{Placing, Sphere};
 use crate::arithmetic::{Q15, Q31};
 use crate::geometry::Direction;
 
@@ -50,6 +50,21 @@ impl<const KNOTS: usize> Placing for Q15<KNOTS> {
     fn towards(place: &[i64; 3], lamp: &[I8F24; 3], near: I8F24) -> (Direction<Self>, Dimming15) {
         let (l, dimming) = Fine::towards(place, lamp, near);
         (rounded(&l), Dimming15::new(dimming))
+    }
+
+    #[inline]
+    fn hides(
+        sphere: &Sphere<Self>,
+        place: &[i64; 3],
+        l: &Direction<Self>,
+        lamp: Option<&[I8F24; 3]>,
+    ) -> bool {
+        let sphere = Sphere::<Fine> {
+            eye: sphere.eye,
+            radius: sphere.radius,
+            material: sphere.material,
+        };
+        Fine::hides(&sphere, place, &widened(l), lamp)
     }
 
     #[inline]

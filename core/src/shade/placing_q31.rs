@@ -2,12 +2,14 @@
 
 use fixed::types::{I2F30, I8F24, I24F40, U1F31};
 
-use super::Placing;
+use super::{Placing, Sphere};
 use crate::arithmetic::Q31;
 use crate::geometry::Direction;
 
 /// Fraction bits of a direction's component.
 const DIRECTION: u32 = 30;
+/// Fraction bits of a length.
+const LENGTH: u32 = 24;
 /// Greatest depth, 2¹⁶ scene units: past it no lamp is told from another.
 const GREATEST_DEPTH: i64 = (1 << 40) - 1;
 
@@ -60,6 +62,65 @@ impl<const CELLS: usize> Placing for Q31<CELLS> {
         let reach = u64::from(near.to_bits().unsigned_abs()).wrapping_mul(inverse) >> top;
         let reach = reach.min(u64::from(u32::MAX));
         (Direction::new(x, y, z), ((reach * reach) >> 32) as u32)
+    }
+
+    #[inline]
+    fn hides(
+        sphere: &Sphere<Self>,
+        place: &[i64; 3],
+        l: &Direction<Self>,
+        lamp: Option<&[I8F24; 3]>,
+    ) -> bool {
+        let radius = i64::from(sphere.radius.to_bits());
+        // From the centre to the place, and on to the lamp.
+        let from = [0, 1, 2].map(|i| {
+            let eye = i64::from(sphere.eye[i].to_bits()).wrapping_mul(radius) >> LENGTH;
+            eye.wrapping_add(place[i])
+        });
+        let to =
+            lamp.map(|lamp| [0, 1, 2].map(|i| i64::from(lamp[i].to_bits()).wrapping_sub(place[i])));
+        // Beyond 256 units fraction bits give way: 2⁻³² of the distance is left.
+        let bits = from
+            .iter()
+            .chain(to.iter().flatten())
+            .fold(0, |bits, c| bits | c.unsigned_abs());
+        let shift = (32 - ((bits >> 32) as u32).leading_zeros()) % 64;
+        let from = from.map(|c| c >> shift);
+        let radius = radius >> shift;
+        let l = [l.x, l.y, l.z].map(|c| i64::from(c.to_bits()));
+        // Products have 62 bits; what they add up to is below 2⁶³.
+        let along = |v: [i64; 3]| {
+            let sum = v[0]
+                .wrapping_mul(l[0])
+                .wrapping_add(v[1].wrapping_mul(l[1]))
+                .wrapping_add(v[2].wrapping_mul(l[2]));
+            sum >> DIRECTION
+        };
+        let ahead = along(from).wrapping_neg();
+        if ahead <= 0 {
+            return false;
+        }
+        // A lamp before the nearest point is hidden only within the sphere.
+        let beyond = match to {
+            Some(to) => ahead.wrapping_sub(along(to.map(|c| c >> shift))).max(0),
+            None => 0,
+        };
+        let aside = |i: usize, j: usize| {
+            let difference = from[i]
+                .wrapping_mul(l[j])
+                .wrapping_sub(from[j].wrapping_mul(l[i]));
+            difference >> DIRECTION
+        };
+        let mut square = 0u64;
+        for leg in [beyond, aside(1, 2), aside(2, 0), aside(0, 1)] {
+            let leg = leg.unsigned_abs();
+            if leg > radius.unsigned_abs() {
+                return false;
+            }
+            // Four squares of 31 bits.
+            square = square.wrapping_add(leg.wrapping_mul(leg));
+        }
+        square < (radius.wrapping_mul(radius)) as u64
     }
 
     #[inline]

@@ -1,7 +1,9 @@
 //! A scene, shaded row by row.
 
+use super::shadow::Met;
 use super::{
-    Camera, Ground, Light, Linear, NoView, Placing, Plane, Sphere, Surface, Tracing, View,
+    Camera, Ground, Light, Linear, NoView, OneSample, Placing, Plane, Samples, Shadows, Sphere,
+    Surface, Tracing, Unshadowed, View,
 };
 use crate::geometry::Direction;
 
@@ -10,8 +12,18 @@ use crate::geometry::Direction;
 /// microcontroller; the row function is the same. `P`, `L` and `V` are those of
 /// its planes, lights and view in the same way.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, A: Tracing, S, P = Plane<A>, L = Direction<A>, V = NoView> {
-    /// Where it is seen from.
+pub struct Scene<
+    'a,
+    A: Tracing,
+    S,
+    P = Plane<A>,
+    L = Direction<A>,
+    V = NoView,
+    H = Unshadowed,
+    N = OneSample,
+> {
+    /// Where it is seen from; with [`FourSamples`](super::FourSamples) it has
+    /// four columns and four rows for each of the picture's.
     pub camera: Camera<A>,
     /// What was resolved beforehand, and hides all that follows.
     pub view: V,
@@ -25,21 +37,27 @@ pub struct Scene<'a, A: Tracing, S, P = Plane<A>, L = Direction<A>, V = NoView> 
     pub materials: &'a [S],
     /// What a ray that meets nothing sees.
     pub background: Linear,
+    /// Whether its spheres throw shadows.
+    pub shadows: H,
+    /// How many rays a pixel is made of.
+    pub samples: N,
 }
 
-impl<A, S, P, L, V> Scene<'_, A, S, P, L, V>
+impl<A, S, P, L, V, H, N> Scene<'_, A, S, P, L, V, H, N>
 where
     A: Placing,
     S: Surface<A>,
     P: Ground<A>,
     L: Light<A>,
     V: View<A>,
+    H: Shadows,
+    N: Samples,
 {
     /// Shades row `y`, counted from the top, and hands each pixel with its
     /// column to `sink`, from left to right.
     #[inline]
     pub fn shade_row(&self, y: usize, mut sink: impl FnMut(usize, Linear)) {
-        for x in 0..usize::from(self.camera.width) {
+        for x in 0..usize::from(self.camera.width / self.samples.side()) {
             sink(x, self.shade_pixel(x, y));
         }
     }
@@ -48,6 +66,12 @@ where
     #[inline]
     #[must_use]
     pub fn shade_pixel(&self, x: usize, y: usize) -> Linear {
+        self.samples.pixel(x, y, |x, y| self.seen(x, y))
+    }
+
+    /// What the camera sees in column `x` of its row `y`.
+    #[inline]
+    fn seen(&self, x: usize, y: usize) -> Linear {
         let d = A::ray(&self.camera, x, y);
         let seen = self.view.at(x, y).or_else(|| self.first_hit(&d));
         let Some((depth, normal, material)) = seen else {
@@ -56,8 +80,12 @@ where
         let Some(surface) = self.materials.get(usize::from(material)) else {
             return Linear::default();
         };
-        let place = || A::place(&d, depth);
-        A::linear(surface.light(&normal, &A::reverse(&d), self.lights, place))
+        let met = Met {
+            place: || A::place(&d, depth),
+            spheres: self.spheres,
+            shadows: self.shadows,
+        };
+        A::linear(surface.light(&normal, &A::reverse(&d), self.lights, &met))
     }
 
     /// Depth, normal and material of what the ray meets first.

@@ -1,6 +1,6 @@
 //! A material under a scene's lights.
 
-use super::{Beam, Light, Placing};
+use super::{Beam, Light, Placing, Spot};
 use crate::arithmetic::Arithmetic;
 use crate::brdf::Brdf;
 use crate::colour::Rgb;
@@ -10,14 +10,14 @@ use crate::table::CosineCurve;
 /// What a scene knows of a material: the light that it sends to the viewer.
 pub trait Surface<A: Placing> {
     /// Exposed light from a point with normal `n` towards `v`, both unit
-    /// vectors of the lights' frame; `place` tells where the point is, to those
-    /// lights that ask.
+    /// vectors of the lights' frame; `spot` tells where the point is, to those
+    /// lights that ask, and what is kept from it.
     fn light(
         &self,
         n: &Direction<A>,
         v: &Direction<A>,
         lights: &[impl Light<A>],
-        place: impl Fn() -> A::Place + Copy,
+        spot: impl Spot<A>,
     ) -> Rgb<A::Light>;
 }
 
@@ -42,12 +42,15 @@ impl<A: Placing, M: Brdf<A>, D: Daylight<A>> Surface<A> for Coat<'_, A, M, D> {
         n: &Direction<A>,
         v: &Direction<A>,
         lights: &[impl Light<A>],
-        place: impl Fn() -> A::Place + Copy,
+        spot: impl Spot<A>,
     ) -> Rgb<A::Light> {
         let n_dot_v = A::dot(n, v);
         let mut sum = self.daylight.light(n_dot_v);
         for (light, gain) in lights.iter().zip(self.gains) {
-            let beam = light.beam(place);
+            let beam = light.beam(|| spot.place());
+            if spot.shadowed(light, beam.direction()) {
+                continue;
+            }
             let geometry = World::with_cosine(*n, *beam.direction(), *v, n_dot_v);
             sum = sum.zip(beam.shade(&self.model, gain, &geometry), A::add_light);
         }
@@ -63,11 +66,11 @@ impl<A: Placing, S: Surface<A>, T: Surface<A>> Surface<A> for (S, T) {
         n: &Direction<A>,
         v: &Direction<A>,
         lights: &[impl Light<A>],
-        place: impl Fn() -> A::Place + Copy,
+        spot: impl Spot<A>,
     ) -> Rgb<A::Light> {
         self.0
-            .light(n, v, lights, place)
-            .zip(self.1.light(n, v, lights, place), A::add_light)
+            .light(n, v, lights, spot)
+            .zip(self.1.light(n, v, lights, spot), A::add_light)
     }
 }
 

@@ -63,9 +63,7 @@ impl<const KNOTS: usize> Tracing for Q15<KNOTS> {
 
     #[inline]
     fn plane_depth(height: I8F24, normal: &Direction<Self>, d: &Direction<Fine>) -> Option<i64> {
-        let wide = |component: I2F14| I2F30::from_bits(i32::from(component.to_bits()) << 16);
-        let normal = Direction::new(wide(normal.x), wide(normal.y), wide(normal.z));
-        Fine::plane_depth(height, &normal, d)
+        Fine::plane_depth(height, &widened(normal), d)
     }
 
     #[inline]
@@ -77,6 +75,12 @@ impl<const KNOTS: usize> Tracing for Q15<KNOTS> {
     fn stored_depth(near: I8F24, range: I8F24, code: u16) -> i64 {
         Fine::stored_depth(near, range, code)
     }
+}
+
+#[inline]
+pub(super) fn widened<const KNOTS: usize>(d: &Direction<Q15<KNOTS>>) -> Direction<Fine> {
+    let wide = |component: I2F14| I2F30::from_bits(i32::from(component.to_bits()) << 16);
+    Direction::new(wide(d.x), wide(d.y), wide(d.z))
 }
 
 #[inline]

@@ -4,7 +4,8 @@ use microbrdf::Rgb;
 use microbrdf::brdf::{Metallic, Mirror};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{
-    AlbedoDaylight, Camera, Coat, Light, Linear, NoDaylight, Plane, Scene, Sphere, Surface, grey16,
+    AlbedoDaylight, Camera, Coat, Light, Linear, NoDaylight, OneSample, Plane, Scene, Sphere, Spot,
+    Surface, Unshadowed, grey16,
 };
 use microbrdf_bits::Checksum;
 
@@ -113,6 +114,8 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
         lights: &lights,
         materials: &materials,
         background: Linear::from_raw(1 << 20, 1 << 21, 1 << 22),
+        shadows: Unshadowed,
+        samples: OneSample,
     };
     let mut sum = Checksum::new();
     for y in 0..usize::from(height) {
@@ -141,12 +144,12 @@ impl<A: Viewed, S: Surface<A>, T: Surface<A>> Surface<A> for Worn<S, T> {
         n: &Direction<A>,
         v: &Direction<A>,
         lights: &[impl Light<A>],
-        place: impl Fn() -> A::Place + Copy,
+        spot: impl Spot<A>,
     ) -> Rgb<A::Light> {
         match self {
-            Self::First(coat) => coat.light(n, v, lights, place),
-            Self::Second(coat) => coat.light(n, v, lights, place),
-            Self::Both(coats) => coats.light(n, v, lights, place),
+            Self::First(coat) => coat.light(n, v, lights, spot),
+            Self::Second(coat) => coat.light(n, v, lights, spot),
+            Self::Both(coats) => coats.light(n, v, lights, spot),
         }
     }
 }

@@ -83,15 +83,22 @@ fn mixture(code: &mut String, used: &[(&str, &str)]) {
             _ => format!("            Self::{name}(lamp) => lamp.beam(place),"),
         })
         .collect();
+    let places: Vec<_> = used
+        .iter()
+        .map(|(name, _)| format!("            Self::{name}(light) => light.lamp(),"))
+        .collect();
     line(
         code,
         format!(
             "enum Lamp {{\n{}\n}}\n\n\
              impl Light<A> for Lamp {{\n    type Beam = Dimmed<A>;\n\n    #[inline]\n    \
              fn beam(&self, place: impl Fn() -> <A as Placing>::Place) -> Dimmed<A> {{\n        \
+             match self {{\n{}\n        }}\n    }}\n\n    #[inline]\n    \
+             fn lamp(&self) -> Option<&[<A as Tracing>::Length; 3]> {{\n        \
              match self {{\n{}\n        }}\n    }}\n}}\n",
             variants.join("\n"),
-            arms.join("\n")
+            arms.join("\n"),
+            places.join("\n")
         ),
     );
 }

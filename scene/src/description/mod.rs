@@ -11,6 +11,7 @@ use std::path::Path;
 use crate::error::{Fault, SceneError};
 use crate::material::{Material, parse};
 use crate::mesh::{Placed, SeenView, look};
+use crate::quality::AnySamples;
 use crate::reader::{Table, Value, list};
 use crate::vector::length;
 
@@ -47,6 +48,10 @@ pub struct Description {
     pub exposure: f64,
     /// Whether displays of few levels dither.
     pub dither: bool,
+    /// Whether spheres and planes throw shadows.
+    pub shadows: bool,
+    /// How many rays a pixel is made of.
+    pub samples: AnySamples,
     /// The materials that an object uses, in the order of their names.
     pub materials: Vec<(String, Material)>,
 }
@@ -140,6 +145,19 @@ impl Description {
             Some(dither) => dither.boolean()?,
             None => true,
         };
+        let shadows = match table.optional("shadows") {
+            Some(shadows) => shadows.boolean()?,
+            None => false,
+        };
+        let samples = match table.optional("samples") {
+            Some(value) => match value.whole(1..=4) {
+                Ok(1) => AnySamples::One,
+                Ok(4) if view.is_none() => AnySamples::Four,
+                Ok(4) => return Err(value.fault("1 in a scene with a mesh")),
+                _ => return Err(value.fault("1 or 4")),
+            },
+            None => AnySamples::One,
+        };
         let widen = match table.optional("widen") {
             Some(widen) => widen.boolean()?,
             None => true,
@@ -148,6 +166,8 @@ impl Description {
         let mut scene = Self {
             name,
             dither,
+            shadows,
+            samples,
             camera,
             spheres,
             planes,

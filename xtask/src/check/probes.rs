@@ -20,11 +20,12 @@ const TARGETS: [&str; 3] = [
 ];
 
 /// Probes, and whether they compute with floats.
-const PROBES: [(&str, bool); 6] = [
+const PROBES: [(&str, bool); 7] = [
     ("q15", false),
     ("q31", false),
     ("sampling_q31", false),
     ("scene", false),
+    ("scene_q15", false),
     ("f32", true),
     ("sampling_f32", true),
 ];

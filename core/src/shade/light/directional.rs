@@ -14,6 +14,11 @@ impl<A: Placing> Light<A> for Direction<A> {
     fn beam(&self, _: impl Fn() -> A::Place) -> Self {
         *self
     }
+
+    #[inline]
+    fn lamp(&self) -> Option<&[A::Length; 3]> {
+        None
+    }
 }
 
 impl<A: Arithmetic> Beam<A> for Direction<A> {

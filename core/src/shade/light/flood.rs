@@ -30,6 +30,11 @@ impl<A: Placing> Light<A> for FloodLight<A> {
             ..beam
         }
     }
+
+    #[inline]
+    fn lamp(&self) -> Option<&[A::Length; 3]> {
+        self.lamp.lamp()
+    }
 }
 
 impl<M: Math> FloodLight<Float<M>> {

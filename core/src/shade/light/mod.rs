@@ -21,6 +21,10 @@ pub trait Light<A: Placing> {
 
     /// What arrives at a place, which is computed only if it matters.
     fn beam(&self, place: impl Fn() -> A::Place) -> Self::Beam;
+
+    /// Where it is, as seen from the eye, if it is not at infinity: what is
+    /// farther throws no shadow.
+    fn lamp(&self) -> Option<&[A::Length; 3]>;
 }
 
 impl<A: Placing, L: Light<A>> Light<A> for &L {
@@ -29,6 +33,11 @@ impl<A: Placing, L: Light<A>> Light<A> for &L {
     #[inline]
     fn beam(&self, place: impl Fn() -> A::Place) -> L::Beam {
         (**self).beam(place)
+    }
+
+    #[inline]
+    fn lamp(&self) -> Option<&[A::Length; 3]> {
+        (**self).lamp()
     }
 }
 

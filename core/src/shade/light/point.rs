@@ -30,6 +30,11 @@ impl<A: Placing> Light<A> for PointLight<A> {
             dimming: Some(dimming),
         }
     }
+
+    #[inline]
+    fn lamp(&self) -> Option<&[A::Length; 3]> {
+        Some(&self.position)
+    }
 }
 
 /// A beam of which perhaps only a share arrives.
