@@ -1,6 +1,6 @@
 //! Shadows and several rays a pixel: against the reference, and what they do.
 
-use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
+use microbrdf::arithmetic::{F32, Q15, Q31};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{Camera, Sphere};
 use microbrdf_scene::{Description, HostArithmetic};
@@ -47,16 +47,18 @@ fn shadows_with_one_ray_are_the_references() {
 
 #[test]
 fn spheres_throw_shadows_on_a_mesh() {
-    let shadowed = format!("shadows = true\n{MESH}");
+    let low = with(MESH, "[-0.5, -0.7, 0.9]", "[0.1, -0.9, 0.15]");
+    let shadowed = format!("shadows = true\n{low}");
     let case = Case::new(description("mesh", &shadowed));
     holds(&case);
-    let without = Case::new(description("mesh", MESH)).exact.srgb().pixels;
+    let without = Case::new(description("mesh", &low)).exact.srgb().pixels;
     let changed = case.exact.srgb().pixels;
     let on_mesh = case.description.view.as_ref().unwrap();
     let pixels = (0..changed.len())
         .filter(|i| on_mesh.at(i % 64, i / 64).is_some() && changed[*i] != without[*i])
         .count();
-    assert!(pixels > 20, "{pixels} pixels of the mesh");
+    // The shadow of a small sphere; it would be none.
+    assert!(pixels >= 10, "{pixels} pixels of the mesh");
 }
 
 /// Of each light something is kept, and nothing but light is taken away.
@@ -240,11 +242,9 @@ fn worst<A: HostArithmetic>(per_unit: f64, per_scene: f64) -> f64 {
 
 #[test]
 fn edges_are_where_they_are_stated_to_be() {
-    // In f32 and q31 1e-6 and 1e-7 of the greatest length; 16 bits turn a
-    // light by 6e-5 at most.
+    // 16 bits turn a light by 6e-5 at most.
     for (name, found) in [
         ("f32", worst::<F32>(0.0, 5e-7)),
-        ("micromath", worst::<Micromath>(0.0, 5e-7)),
         ("q31", worst::<Q31>(0.0, 1.5e-7)),
         ("q15", worst::<Q15>(6e-5, 1.5e-7)),
     ] {
