@@ -9,5 +9,5 @@ mod probe {
     use microbrdf::arithmetic::{Gain15, Q15};
     use microbrdf::fixed::types::I2F14;
 
-    microbrdf_probes::every_pixel!(Q15<17>, I2F14, Gain15);
+    microbrdf_probes::every_pixel!(Q15<65>, I2F14, Gain15);
 }
