@@ -5,7 +5,7 @@ use microbrdf::arithmetic::{F32, Float, Math, Q15, Q31};
 use microbrdf::fixed::types::{I2F14, I2F30, I8F24, I24F40, U0F32, U32F32};
 use microbrdf::geometry::Direction;
 use microbrdf::sampling::Sampling;
-use microbrdf::shade::Placing;
+use microbrdf::shade::{FloodLight, Placing, PointLight};
 use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
 use microbrdf_bits::{Raw, Sampled};
 
@@ -23,6 +23,15 @@ pub trait Viewed: Given + Placing {
     fn fine(number: f64) -> Self::Fine;
     /// A length, a rounded number.
     fn length(number: f64) -> Self::Length;
+    /// A flood whose light falls with the power `n`.
+    ///
+    /// # Errors
+    /// `n` outside its range.
+    fn flood(
+        lamp: PointLight<Self>,
+        back: Direction<Self>,
+        n: u16,
+    ) -> Result<FloodLight<Self>, ParameterError>;
 }
 
 /// One that draws directions.
@@ -70,6 +79,13 @@ impl<M: Math> Viewed for Float<M> {
     fn length(number: f64) -> f32 {
         number as f32
     }
+    fn flood(
+        lamp: PointLight<Self>,
+        back: Direction<Self>,
+        n: u16,
+    ) -> Result<FloodLight<Self>, ParameterError> {
+        FloodLight::<Self>::new(lamp, back, f32::from(n))
+    }
 }
 
 impl<const CELLS: usize> Viewed for Q31<CELLS> {
@@ -79,6 +95,13 @@ impl<const CELLS: usize> Viewed for Q31<CELLS> {
     fn length(number: f64) -> I8F24 {
         I8F24::from_num(number)
     }
+    fn flood(
+        lamp: PointLight<Self>,
+        back: Direction<Self>,
+        n: u16,
+    ) -> Result<FloodLight<Self>, ParameterError> {
+        FloodLight::<Self>::new(lamp, back, U32F32::from_num(n))
+    }
 }
 
 impl<const KNOTS: usize> Viewed for Q15<KNOTS> {
@@ -87,6 +110,13 @@ impl<const KNOTS: usize> Viewed for Q15<KNOTS> {
     }
     fn length(number: f64) -> I8F24 {
         I8F24::from_num(number)
+    }
+    fn flood(
+        lamp: PointLight<Self>,
+        back: Direction<Self>,
+        n: u16,
+    ) -> Result<FloodLight<Self>, ParameterError> {
+        FloodLight::<Self>::new(lamp, back, U32F32::from_num(n))
     }
 }
 

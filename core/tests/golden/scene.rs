@@ -4,8 +4,9 @@ use microbrdf::Rgb;
 use microbrdf::brdf::{Metallic, Mirror};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{
-    AlbedoDaylight, Camera, Coat, Light, Linear, NoDaylight, OneSample, Plane, Scene, Sphere, Spot,
-    Surface, Unshadowed, grey16,
+    AlbedoDaylight, Camera, Checker, Coat, FourSamples, Ground, Light, Linear, NoDaylight,
+    OneSample, Plane, PointLight, Samples, Scene, Shadowed, Shadows, Sphere, Spot, Surface,
+    Unshadowed, grey16,
 };
 use microbrdf_bits::Checksum;
 
@@ -14,19 +15,52 @@ use crate::given::{self, Viewed, direction};
 
 /// Adds a sum for each picture.
 pub fn add<A: Viewed>(sums: &mut Sums) {
+    let planes = planes::<A>();
+    let lights = directions::<A>();
+    let above = camera::<A>([0.0, 0.6, -0.8], 37, 23, 0.02);
+    let level = camera::<A>([0.0, 1.0, 0.0], 18, 30, 0.06);
+    let upwards = camera::<A>([0.28, -0.0, 0.96], 9, 8, 0.1);
+    let plain = |camera| picture(camera, &planes, &lights, Unshadowed, OneSample);
+    sums.push("scene, from above", plain(above));
+    sums.push("scene, level", plain(level));
+    sums.push("scene, upwards", plain(upwards));
+
+    let checkers = planes.map(checker);
+    let high = Camera {
+        width: 36,
+        height: 24,
+        ..above
+    };
     sums.push(
-        "scene, from above",
-        picture::<A>([0.0, 0.6, -0.8], 37, 23, 0.02),
+        "scene, checkers in shadow, four samples",
+        picture(high, &checkers, &lights, Shadowed, FourSamples),
     );
-    sums.push("scene, level", picture::<A>([0.0, 1.0, 0.0], 18, 30, 0.06));
+    let lamps = [[1.5, 2.0, 1.0], [-2.0, 3.0, 2.5]].map(|position: [f64; 3]| PointLight::<A> {
+        position: position.map(A::length),
+        near: A::length(0.75),
+    });
     sums.push(
-        "scene, upwards",
-        picture::<A>([0.28, -0.0, 0.96], 9, 8, 0.1),
+        "scene, points in shadow",
+        picture(level, &checkers, &lamps, Shadowed, OneSample),
+    );
+    sums.push(
+        "scene, points",
+        picture(above, &planes, &lamps, Unshadowed, FourSamples),
+    );
+    let down = direction::<A>([0, 0, 1 << 30]);
+    let floods = lamps.map(|lamp| A::flood(lamp, down, 5).expect("n"));
+    sums.push(
+        "scene, floods in shadow",
+        picture(above, &checkers, &floods, Shadowed, OneSample),
+    );
+    sums.push(
+        "scene, floods",
+        picture(level, &checkers, &floods, Unshadowed, OneSample),
     );
 }
 
-/// A picture towards `forward`, with steps of `step` for half a pixel.
-fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> u64 {
+/// A camera towards `forward`, with steps of `step` for half a pixel.
+fn camera<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> Camera<A> {
     let [fx, fy, fz] = forward;
     let number = |numbers: [f64; 3]| numbers.map(A::fine);
     // Right is level, up is right × forward.
@@ -37,13 +71,64 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
         right[2] * fx - right[0] * fz,
         right[0] * fy - right[1] * fx,
     ];
-    let camera = Camera::<A> {
+    Camera::<A> {
         width,
         height,
         forward: number(forward),
         right: number(right.map(|c| c * step)),
         up: number(up.map(|c| c * step)),
+    }
+}
+
+fn planes<A: Viewed>() -> [Plane<A>; 2] {
+    let unit = |bits: [i32; 3]| direction::<A>(bits);
+    [
+        Plane {
+            normal: unit([0, 0, 1 << 30]),
+            height: A::length(1.5),
+            material: 2,
+        },
+        // (−3, −4, 0)/5: a wall.
+        Plane {
+            normal: unit([-644_245_094, -858_993_459, 0]),
+            height: A::length(7.25),
+            material: 1,
+        },
+    ]
+}
+
+/// Squares of 0.8, those of an odd sum of material 0.
+fn checker<A: Viewed>(plane: Plane<A>) -> Checker<A> {
+    let axes = if plane.material == 2 {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+    } else {
+        [[0.8, -0.6, 0.0], [0.0, 0.0, 1.0]]
     };
+    Checker {
+        plane,
+        odd: 0,
+        eye: [0.3, 1.7].map(A::fine),
+        across: axes.map(|axis| axis.map(|c: f64| A::fine(c / 0.8))),
+    }
+}
+
+/// (2, 1, 2)/3, (−6, −3, 2)/7, and straight down.
+fn directions<A: Viewed>() -> [Direction<A>; 3] {
+    [
+        direction::<A>([715_827_882, 357_913_941, 715_827_882]),
+        direction::<A>([-920_350_135, -460_175_067, 306_783_378]),
+        direction::<A>([0, 0, -(1 << 30)]),
+    ]
+}
+
+/// A picture of spheres and these planes under these lights.
+fn picture<A: Viewed>(
+    camera: Camera<A>,
+    planes: &[impl Ground<A>],
+    lights: &[impl Light<A>],
+    shadows: impl Shadows,
+    samples: impl Samples,
+) -> u64 {
     let sphere = |centre: [f64; 3], radius: f64, material| Sphere::<A> {
         eye: centre.map(|c| A::length(-c / radius)),
         radius: A::length(radius),
@@ -59,26 +144,6 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
         sphere([0.5, 11.0, 0.6], 0.12, 0),
         // No such material.
         sphere([-2.0, 3.5, 0.3], 0.4, 9),
-    ];
-    let unit = |bits: [i32; 3]| direction::<A>(bits);
-    let planes = [
-        Plane {
-            normal: unit([0, 0, 1 << 30]),
-            height: A::length(1.5),
-            material: 2,
-        },
-        // (−3, −4, 0)/5: a wall.
-        Plane {
-            normal: unit([-644_245_094, -858_993_459, 0]),
-            height: A::length(7.25),
-            material: 1,
-        },
-    ];
-    // (2, 1, 2)/3, (−6, −3, 2)/7, and straight down.
-    let lights: [Direction<A>; 3] = [
-        unit([715_827_882, 357_913_941, 715_827_882]),
-        unit([-920_350_135, -460_175_067, 306_783_378]),
-        unit([0, 0, -(1 << 30)]),
     ];
     let gains = [
         [30_000, 60_000, 90_000],
@@ -110,15 +175,15 @@ fn picture<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> 
         camera,
         view: microbrdf::shade::NoView,
         spheres: &spheres,
-        planes: &planes,
-        lights: &lights,
+        planes,
+        lights,
         materials: &materials,
         background: Linear::from_raw(1 << 20, 1 << 21, 1 << 22),
-        shadows: Unshadowed,
-        samples: OneSample,
+        shadows,
+        samples,
     };
     let mut sum = Checksum::new();
-    for y in 0..usize::from(height) {
+    for y in 0..usize::from(camera.height / samples.side()) {
         scene.shade_row(y, |x, pixel| {
             sum.feed(x as u32);
             for component in pixel.to_raw() {
