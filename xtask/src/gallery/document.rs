@@ -10,7 +10,7 @@ const HEAD: &str = "# Gallery
 
 Made by `cargo xtask gallery`; `cargo xtask test --only gallery` makes every picture and figure anew and fails when one differs.
 
-Each scene of `scenes/gallery` is built into firmware, run on emulated boards and received. Side by side: as the device sent it, byte for byte what the host renders (a run in which it is not fails); in double precision; and the errors, black where the 8-bit code is that of the reference, blue one off, yellow two, red more, magenta on the other side of a jump. Errors are of 8-bit sRGB codes, `by more` and flips as [conventions.md](conventions.md) has them.
+Each scene, in `scenes/gallery` or `scenes`, is built into firmware, run on emulated boards and received. Side by side: as the device sent it, byte for byte what the host renders (a run in which it is not fails); in double precision; and the errors, black where the 8-bit code is that of the reference, blue one off, yellow two, red more, magenta on the other side of a jump. Errors are of 8-bit sRGB codes, `by more` and flips as [conventions.md](conventions.md) has them.
 
 Pictures of the thesis that need light from other surfaces, its figures 3.9 to 3.11, can't be made: there is no interreflection here, and no such thing is shown.
 

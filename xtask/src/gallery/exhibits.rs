@@ -3,7 +3,7 @@
 /// A scene with its words.
 #[derive(Debug, Clone, Copy)]
 pub struct Exhibit {
-    /// File below `scenes/gallery`, without its ending; the picture has the same name.
+    /// Scene file, in `scenes/gallery` or else in `scenes`, without its ending; the picture has the same name.
     pub name: &'static str,
     /// Heading.
     pub title: &'static str,
@@ -25,9 +25,51 @@ pub enum Beside {
 /// The scenes in their order.
 pub const EXHIBITS: &[Exhibit] = &[
     Exhibit {
+        name: "teapot",
+        title: "A teapot",
+        words: "A mesh, resolved to normals when the scene was built: a glazed body, a golden handle and knob, under two lights and a sky. Shaded by the same functions as all spheres here.",
+        beside: None,
+    },
+    Exhibit {
+        name: "shadows",
+        title: "Shadows and smooth edges",
+        words: "Where a scene asks for them: shadow rays, and four rays a pixel. Edges of shadows are sharp, and the sky reaches everything.",
+        beside: None,
+    },
+    Exhibit {
         name: "metals",
         title: "Metals",
         words: "Gold, copper, silver, aluminium and chromium; n = 10, 40 and 190 from above. The colour of the sky's reflection fades towards the limb and the cool light's highlight there is nearly white: Fresnel's factor, per channel.",
+        beside: None,
+    },
+    Exhibit {
+        name: "patch-metals",
+        title: "Metals of patches",
+        words: "The exponential patch with Fresnel's factor, with the sharpnesses printed for figure 4.16 of the thesis: aluminium (s = 6), silver (8), copper (15), gold (20), a golden sphere (10) for the tank, a silver plane (4). The figure was traced with interreflection; a sky takes its place.",
+        beside: None,
+    },
+    Exhibit {
+        name: "paint",
+        title: "Metallic paint",
+        words: "(4.54): Fresnel's factor at the angle of half the projected difference of light and viewer. Gold, copper and aluminium at s = 12; below a blue paint of an invented index at s = 12 and 30, and, right, the same as a metal of patches.",
+        beside: None,
+    },
+    Exhibit {
+        name: "plastics",
+        title: "Plastics",
+        words: "After figure 3.12 of the thesis, with the printed specular shares and exponents, (0.04, 169), (0.065, 64), (0.09, 9) and (0.13, 3), on a plastic plate. The figure's reflections of one object in another are not there.",
+        beside: None,
+    },
+    Exhibit {
+        name: "ceramics",
+        title: "Ceramics",
+        words: "The glazes of figure 3.13 of the thesis, on spheres: n = 100 above, 20 below; Fresnel's factor of an index of 1.5 on the highlight (3.30) makes it faint in front and bright at the rim. The right column is without it (3.31).",
+        beside: None,
+    },
+    Exhibit {
+        name: "lambertian",
+        title: "Generalised Lambert",
+        words: "After figure 4.18 of the thesis: d = 1, flat as the full moon, 0.75, 0.5 and 0.25, the light at the viewer; below, Lambert's law beside d = 1.",
         beside: None,
     },
     Exhibit {

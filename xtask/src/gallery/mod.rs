@@ -1,4 +1,4 @@
-//! `cargo xtask gallery`: every scene of `scenes/gallery` on emulated boards, beside host and reference; makes `docs/gallery.md` and its pictures.
+//! `cargo xtask gallery`: the scenes of the gallery on emulated boards, beside host and reference; makes `docs/gallery.md` and its pictures.
 
 mod document;
 mod exhibits;
@@ -127,7 +127,16 @@ fn show(
     host: &HostSim<'_>,
     exhibit: &'static Exhibit,
 ) -> Outcome<Shown> {
-    let scene = layout.at(&format!("scenes/gallery/{}.toml", exhibit.name));
+    let scene = ["scenes/gallery", "scenes"]
+        .map(|folder| layout.at(&format!("{folder}/{}.toml", exhibit.name)))
+        .into_iter()
+        .find(|path| path.is_file());
+    let Some(scene) = scene else {
+        return Err(Failure::incomplete(format!(
+            "there is no scene {}",
+            exhibit.name
+        )));
+    };
     let mut reports = Vec::new();
     let folder = |board: &str| {
         layout
