@@ -77,7 +77,7 @@ pub fn check(layout: &Layout, cross: &Cross, name: &str) -> Outcome<()> {
     let path = layout.at("docs/gallery.md");
     let text = fs::read_to_string(&path).during(|| format!("reading {}", path.display()))?;
     let section = document::section(&shown);
-    if !text.contains(&section) {
+    if !document::has(&text, &section) {
         faults.push(format!("docs/gallery.md does not have\n{section}"));
     }
     outdated(faults)
