@@ -302,6 +302,7 @@ fn the_texts_samplers_are_all_here() {
             "patch",
             "patch_elliptic",
             "patch_exponential",
+            "patch_metal",
             "patch_mixture",
             "patch_p_norm",
             "patch_plastic",
