@@ -100,7 +100,7 @@ impl Exact {
     pub fn srgb(&self) -> Picture {
         let pixels = self
             .pixels
-            .iter()
+            .par_iter()
             .map(|pixel| pixel.code().map(|code| code.round() as u8))
             .collect();
         Picture {

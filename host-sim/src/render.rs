@@ -42,13 +42,12 @@ fn shade<A: HostArithmetic>(description: &Description) -> Outcome<Frame> {
         usize::from(description.camera.height),
     );
     let progress = Progress::new("shading", height);
-    let rows = (0..height).into_par_iter().map(|y| {
-        let mut row = vec![Linear::default(); width];
+    let mut pixels = vec![Linear::default(); width * height];
+    let rows = pixels.par_chunks_exact_mut(width).enumerate();
+    rows.for_each(|(y, row)| {
         scene.shade_row(y, |x, light| row[x] = light);
         progress.step();
-        row
     });
-    let pixels = rows.flatten_iter().collect();
     Ok(Frame {
         width,
         height,
@@ -63,7 +62,7 @@ impl Frame {
         Picture {
             width: self.width,
             height: self.height,
-            pixels: self.pixels.iter().map(|pixel| pixel.srgb8()).collect(),
+            pixels: self.pixels.par_iter().map(|pixel| pixel.srgb8()).collect(),
         }
     }
 
