@@ -146,6 +146,10 @@ impl Description {
             // Towards the spot of a lamp: it sees the sphere from nearby.
             for _ in 0..4 {
                 let norm = length(normal);
+                if norm < 1e-9 {
+                    // Light from straight behind: the eye sees no highlight.
+                    break;
+                }
                 normal = normal.map(|c| c / norm);
                 let spot = [0, 1, 2].map(|i| sphere.center[i] + sphere.radius * normal[i]);
                 let to_eye = sub(self.camera.eye, spot);
@@ -216,13 +220,14 @@ fn angle(light: &LightDescription, distance: f64) -> f64 {
     }
 }
 
-/// Unit vector to a light, and its distance.
+/// Unit vector to a light, and its distance, above 0; no direction to a lamp
+/// from where it stands.
 fn towards(light: &LightDescription, from: [f64; 3]) -> ([f64; 3], f64) {
     match light.kind {
         LightKind::Directional { direction } => (direction, f64::INFINITY),
         LightKind::Point { position, .. } | LightKind::Flood { position, .. } => {
             let to_light = sub(position, from);
-            let distance = length(to_light);
+            let distance = length(to_light).max(f64::MIN_POSITIVE);
             (to_light.map(|c| c / distance), distance)
         }
     }
@@ -294,5 +299,39 @@ impl Seen {
         // A light is a disc.
         let spread = own + (0.25 * self.light).powi(2);
         spread.max(least * least)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Description, towards};
+
+    fn scene(light: &str) -> Description {
+        let text = format!(
+            "[camera]\nwidth = 64\nheight = 64\neye = [0, -9, 0]\ntarget = [0, 0, 0]\nfov = 20\n\
+             [[light]]\nsize = 1\n{light}\n\
+             [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"it\"\n\
+             [material.it]\nmodel = \"metallic-phong\"\nexponent = 1e5\n"
+        );
+        Description::from_toml("it.toml", "it", &text).expect("a scene")
+    }
+
+    #[test]
+    fn light_from_straight_behind_leaves_a_material() {
+        for light in [
+            "kind = \"point\"\nposition = [0, 9, 0]\nintensity = 50",
+            "kind = \"directional\"\ndirection = [0, 1, 0]\ncolor = 1",
+        ] {
+            let (_, material) = &scene(light).materials[0];
+            assert!(material.reference().peak().is_finite(), "{material:?}");
+        }
+    }
+
+    #[test]
+    fn a_lamp_where_it_shines_is_a_distance_away() {
+        let scene = scene("kind = \"point\"\nposition = [0, 9, 0]\nintensity = 50");
+        let (direction, distance) = towards(&scene.lights[0], [0.0, 9.0, 0.0]);
+        assert_eq!(direction, [0.0; 3]);
+        assert!(distance > 0.0);
     }
 }

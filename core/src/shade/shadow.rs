@@ -46,7 +46,7 @@ impl Shadows for Unshadowed {
 /// Spheres throw shadows, with sharp edges.
 ///
 /// An edge is displaced by at most 5e-7 in `f32`, 1.5e-7 in `q31` and `q15`,
-/// times the greatest of 1, its radius, its distance and the place's from the eye;
+/// times the greatest of 1, the sphere's radius, and both distances from the eye;
 /// in `q15`, whose lights have components of 16 bits, by 6e-5 of the distance
 /// from the place to the sphere besides. Tested in `tests/tests/shadows.rs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
