@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use microbrdf_reference::light::{Illumination, Light};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
+use microbrdf_scene::vector::{cross, dot, length, scaled};
 use microbrdf_scene::{
     AlbedoTable, AnySamples, Description, LightDescription, LightKind, Material, PatchShape,
     PlaneDescription, camera_frame, half_pixel, plane_axes,
@@ -194,7 +195,7 @@ fn ray(
     let column = (2 * x + 1) as f64 - f64::from(camera.width) + right_of;
     let row = f64::from(camera.height) - (2 * y + 1) as f64 - below;
     let ray = [0, 1, 2].map(|i| ahead[i] + step * (column * right[i] + row * up[i]));
-    let d = scaled(ray, 1.0 / dot(ray, ray).sqrt());
+    let d = scaled(ray, 1.0 / length(ray));
     let mut jump = f64::INFINITY;
     let mut hits: Vec<Hit> = Vec::new();
     for (index, sphere) in description.spheres.iter().enumerate() {
@@ -294,7 +295,7 @@ fn ray(
                 LightKind::Directional { .. } => f64::INFINITY,
                 LightKind::Point { position, .. } | LightKind::Flood { position, .. } => {
                     let to = [0, 1, 2].map(|i| position[i] - place[i]);
-                    dot(to, to).sqrt()
+                    length(to)
                 }
             };
             let (hidden, angle) = hidden(description, object, place, [x, y, z], reach);
@@ -338,10 +339,10 @@ fn hidden(
             continue;
         }
         let to = [0, 1, 2].map(|i| sphere.center[i] - place[i]);
-        let distance = dot(to, to).sqrt();
+        let distance = length(to);
         let ahead = dot(to, l);
         let aside = cross(to, l);
-        let aside = dot(aside, aside).sqrt();
+        let aside = length(aside);
         let half = sphere.radius.powi(2) - aside.powi(2);
         hidden |= ahead > 0.0 && half > 0.0 && ahead - half.sqrt() < reach;
         if ahead > 0.0 && ahead - sphere.radius < reach {
@@ -388,24 +389,8 @@ fn to_frame(normal: [f64; 3], l: [f64; 3], v: [f64; 3]) -> (Direction, Direction
         [1.0, 0.0, 0.0]
     };
     let tangent = cross(axis, normal);
-    let tangent = scaled(tangent, 1.0 / dot(tangent, tangent).sqrt());
+    let tangent = scaled(tangent, 1.0 / length(tangent));
     let bitangent = cross(normal, tangent);
     let frame = |a: [f64; 3]| Direction::new(dot(a, tangent), dot(a, bitangent), dot(a, normal));
     (frame(l), frame(v))
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn scaled(a: [f64; 3], factor: f64) -> [f64; 3] {
-    a.map(|c| c * factor)
 }

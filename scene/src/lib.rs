@@ -20,7 +20,7 @@ mod quality;
 mod reader;
 mod square;
 mod surface;
-mod vector;
+pub mod vector;
 
 pub use albedo::{AlbedoTable, directional_albedo};
 pub use bake::bake;

@@ -17,7 +17,7 @@ use crate::mesh::PreparedView;
 use crate::model::AnyModel;
 use crate::quality::{AnySamples, AnyShadows};
 use crate::reader::Colour;
-use crate::vector::{cross, dot, length, sub};
+use crate::vector::{cross, dot, length, sub, unit};
 
 /// A scene as the core takes it, owned.
 #[derive(Clone, Debug)]
@@ -208,7 +208,6 @@ impl Material {
 /// The camera's unit vectors: ahead, to the right and up.
 #[must_use]
 pub fn camera_frame(camera: &CameraDescription) -> [[f64; 3]; 3] {
-    let unit = |vector: [f64; 3]| vector.map(|c| c / length(vector));
     let ahead = unit(sub(camera.target, camera.eye));
     let right = unit(cross(ahead, [0.0, 0.0, 1.0]));
     [ahead, right, cross(right, ahead)]

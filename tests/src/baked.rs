@@ -5,8 +5,32 @@ use microbrdf_scene::{Description, bake};
 use microbrdf_sim::arithmetic::ArithmeticName;
 use microbrdf_sim::with_arithmetic;
 
+/// The materials that two scenes of a floor, a wall and spheres share.
+macro_rules! room_materials {
+    () => {
+        r#"[material.floor]
+model = "plastic"
+albedo = 0.4
+specular = 0.3
+exponent = 50
+[material.clay]
+model = "lambert"
+albedo = [0.5, 0.3, 0.2]
+[material.gold]
+model = "metal"
+metal = "gold"
+exponent = 36
+[material.between]
+model = "phong"
+exponent = 9
+p = 0.5
+"#
+    };
+}
+
 /// A checker under a light of each kind.
-pub const LAMPS: &str = r#"
+pub const LAMPS: &str = concat!(
+    r#"
 exposure = 0.8
 background = [0.02, 0.03, 0.05]
 [camera]
@@ -55,23 +79,9 @@ material = "satin"
 [material.satin]
 model = "profile"
 points = [[0, 3], [0.1, 2.8], [0.3, 1.5], [0.45, 0.6], [0.9, 0.1]]
-[material.floor]
-model = "plastic"
-albedo = 0.4
-specular = 0.3
-exponent = 50
-[material.clay]
-model = "lambert"
-albedo = [0.5, 0.3, 0.2]
-[material.gold]
-model = "metal"
-metal = "gold"
-exponent = 36
-[material.between]
-model = "phong"
-exponent = 9
-p = 0.5
-"#;
+"#,
+    room_materials!()
+);
 
 /// A teapot of two materials under a lamp, partly behind a sphere and below a
 /// plane: normals of four bytes, and depths.
@@ -210,7 +220,8 @@ smoothness = 0.8
 
 /// Shadows of a light of each kind, on a checker, a wall and spheres, with four
 /// rays a pixel.
-pub const SHADOWS: &str = r#"exposure = 0.8
+pub const SHADOWS: &str = concat!(
+    r#"exposure = 0.8
 shadows = true
 samples = 4
 background = [0.02, 0.03, 0.05]
@@ -257,23 +268,9 @@ material = "between"
 center = [0.3, -1.3, -0.4]
 radius = 0.4
 material = "clay"
-[material.floor]
-model = "plastic"
-albedo = 0.4
-specular = 0.3
-exponent = 50
-[material.clay]
-model = "lambert"
-albedo = [0.5, 0.3, 0.2]
-[material.gold]
-model = "metal"
-metal = "gold"
-exponent = 36
-[material.between]
-model = "phong"
-exponent = 9
-p = 0.5
-"#;
+"#,
+    room_materials!()
+);
 
 /// Scenes by name.
 pub const SCENES: [(&str, &str); 5] = [

@@ -13,6 +13,7 @@ pub mod error;
 pub mod flicker;
 pub mod frame;
 pub mod fuzz;
+pub mod fuzz_files;
 pub mod fuzz_obj;
 pub mod fuzz_scene;
 pub mod grazing;

@@ -4,6 +4,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
+use microbrdf_scene::vector::{cross, length, sub, unit};
+
 /// Segments about the teapot's axis.
 const ABOUT: usize = 40;
 
@@ -95,7 +97,7 @@ impl Writer {
 
 impl Patch {
     fn is_pole(&self, j: usize) -> bool {
-        distance(self.rows[j][0], self.rows[j][1]) < 1e-9
+        length(sub(self.rows[j][0], self.rows[j][1])) < 1e-9
     }
 
     /// The unit normal, by differences of the neighbours; at a pole by those
@@ -112,7 +114,7 @@ impl Patch {
         };
         if self.is_pole(j) {
             let inner = if j == 0 { 1 } else { j - 1 };
-            let ring = |i: usize| minus(self.rows[inner][i % width], self.rows[j][0]);
+            let ring = |i: usize| sub(self.rows[inner][i % width], self.rows[j][0]);
             let about = cross(ring(0), ring(width / 4));
             let sign = if j == 0 { -1.0 } else { 1.0 };
             return unit(about.map(|c| c * sign));
@@ -120,8 +122,8 @@ impl Patch {
         let across = |by| step(i, by, width, self.closed[0]);
         let along = |by| step(j, by, height, self.closed[1]);
         unit(cross(
-            minus(self.rows[j][across(1)], self.rows[j][across(-1)]),
-            minus(self.rows[along(1)][i], self.rows[along(-1)][i]),
+            sub(self.rows[j][across(1)], self.rows[j][across(-1)]),
+            sub(self.rows[along(1)][i], self.rows[along(-1)][i]),
         ))
     }
 }
@@ -213,10 +215,10 @@ fn knot() -> String {
     let mut rows = Vec::new();
     for step in 0..STEPS {
         let t = TAU * step as f64 / STEPS as f64;
-        let ahead = unit(minus(place(t + 1e-4), place(t - 1e-4)));
+        let ahead = unit(sub(place(t + 1e-4), place(t - 1e-4)));
         // Away from the axis of the torus that it lies upon.
         let centre = (2.0 * t).sin_cos();
-        let out = minus(place(t), [centre.1, centre.0, 0.0]);
+        let out = sub(place(t), [centre.1, centre.0, 0.0]);
         let aside = unit(cross(ahead, out));
         let out = cross(aside, ahead);
         rows.push(ring(place(t), aside, out, [0.2, 0.2], AROUND));
@@ -303,25 +305,4 @@ fn spline(points: &[[f64; 4]], between: usize) -> Vec<[f64; 4]> {
     }
     curve.push(points[last]);
     curve
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let d = minus(a, b);
-    d.iter().map(|c| c * c).sum::<f64>().sqrt()
-}
-
-fn unit(a: [f64; 3]) -> [f64; 3] {
-    a.map(|c| c / distance(a, [0.0; 3]))
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
 use microbrdf::shade::{MeshView, NoDepths, Octahedral, Span, StoredDepths, View};
+use microbrdf_scene::vector::{cross, dot, length, sub, unit};
 use microbrdf_scene::{
     Description, HostArithmetic, Obj, Seen, StoredNormals, camera_frame, encode, greatest_error,
     half_pixel,
@@ -23,26 +24,10 @@ const ARITHMETICS: [ArithmeticName; 4] = [
     ArithmeticName::Q15,
 ];
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
 /// The angle between two vectors of any length.
 fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let across = cross(a, b);
-    dot(across, across).sqrt().atan2(dot(a, b))
+    length(across).atan2(dot(a, b))
 }
 
 /// Directions evenly over the sphere.
@@ -82,8 +67,7 @@ fn worst<N: Octahedral>() -> f64 {
                     y + f64::from(j) * step / 6.0,
                     z,
                 ];
-                let length = dot(moved, moved).sqrt();
-                moved.map(|c| c / length)
+                unit(moved)
             })
         })
     });
@@ -111,11 +95,10 @@ fn decoded<A: HostArithmetic, N: Octahedral>(stored: impl Iterator<Item = N>) ->
     stored.fold([0.0; 2], |[turn, stretch], stored| {
         let normal = stored.normal::<A>();
         let found = [normal.x, normal.y, normal.z].map(A::component_value);
-        let length = dot(found, found).sqrt();
         let exact = stored.vector().map(f64::from);
         [
             turn.max(angle(found, exact)),
-            stretch.max((length - 1.0).abs()),
+            stretch.max((length(found) - 1.0).abs()),
         ]
     })
 }
@@ -272,10 +255,10 @@ fn cast(obj: &Obj, eye: [f64; 3], d: [f64; 3]) -> Option<(f64, usize)> {
     let mut nearest: Option<(f64, usize)> = None;
     for (index, triangle) in obj.triangles.iter().enumerate() {
         let [a, b, c] = triangle.corners.map(|corner| obj.positions[corner]);
-        let (ab, ac) = (minus(b, a), minus(c, a));
+        let (ab, ac) = (sub(b, a), sub(c, a));
         let p = cross(d, ac);
         let volume = dot(ab, p);
-        let from = minus(eye, a);
+        let from = sub(eye, a);
         let u = dot(from, p) / volume;
         let q = cross(from, ab);
         let v = dot(d, q) / volume;
@@ -304,8 +287,7 @@ fn coverage_is_that_of_ray_casting() {
             let column = step * ((2 * x + 1) as f64 - f64::from(camera.width));
             let row = step * (f64::from(camera.height) - (2 * y + 1) as f64);
             let ray = [0, 1, 2].map(|i| ahead[i] + column * right[i] + row * up[i]);
-            let length = dot(ray, ray).sqrt();
-            let d = ray.map(|c| c / length);
+            let d = unit(ray);
             match (view.at(x, y), cast(&obj, camera.eye, d)) {
                 (None, None) => {}
                 (Some(Seen { depth, normal, .. }), Some((exact, _))) => {

@@ -3,6 +3,7 @@
 use microbrdf::arithmetic::{F32, Q15, Q31};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{Camera, Sphere};
+use microbrdf_scene::vector::{cross, length, scaled};
 use microbrdf_scene::{Description, HostArithmetic};
 use microbrdf_sim::arithmetic::ArithmeticName;
 use microbrdf_tests::baked::{MESH, SHADOWS, description};
@@ -128,28 +129,8 @@ impl Edges {
     }
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn scaled(a: [f64; 3], factor: f64) -> [f64; 3] {
-    a.map(|c| c * factor)
-}
-
 fn added(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-fn size(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// Greatest misjudged distance from an edge, in what is stated: `per_unit` of
@@ -170,7 +151,7 @@ fn worst<A: HostArithmetic>(per_unit: f64, per_scene: f64) -> f64 {
         let place = scaled(sight, depth);
         let center = scaled(random.unit(), far);
         let to = added(center, scaled(place, -1.0));
-        let distance = size(to);
+        let distance = length(to);
         if far < 1.01 * radius || far / radius > 126.0 || distance < 1.01 * radius {
             continue;
         }
@@ -188,7 +169,7 @@ fn worst<A: HostArithmetic>(per_unit: f64, per_scene: f64) -> f64 {
         count += 1;
         let ahead = scaled(to, 1.0 / distance);
         let across = cross(ahead, random.unit());
-        let across = scaled(across, 1.0 / size(across));
+        let across = scaled(across, 1.0 / length(across));
         let l = added(
             scaled(ahead, (1.0 - sine * sine).sqrt()),
             scaled(across, sine),
@@ -226,7 +207,7 @@ fn worst<A: HostArithmetic>(per_unit: f64, per_scene: f64) -> f64 {
         if center.iter().all(|c| c.abs() < 100.0) {
             let within = added(center, scaled(random.unit(), 0.9 * radius));
             let to = added(within, scaled(place, -1.0));
-            let towards = direction(scaled(to, 1.0 / size(to)));
+            let towards = direction(scaled(to, 1.0 / length(to)));
             assert!(A::hides(
                 &sphere,
                 &from,
