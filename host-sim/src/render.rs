@@ -29,12 +29,22 @@ pub struct Frame {
 
 /// Shades the scene in an arithmetic.
 pub fn frame(description: &Description, arithmetic: ArithmeticName) -> Outcome<Frame> {
-    with_arithmetic!(arithmetic, A => shade::<A>(description))
+    Ok(renderer(description, arithmetic)?())
 }
 
-fn shade<A: HostArithmetic>(description: &Description) -> Outcome<Frame> {
-    let prepared = description.prepare::<A>().map_err(Failure::Usage)?;
-    let parts = SceneParts::new(prepared);
+/// The scene in an arithmetic, ready to be shaded at each call.
+pub fn renderer(
+    description: &Description,
+    arithmetic: ArithmeticName,
+) -> Outcome<Box<dyn Fn() -> Frame + '_>> {
+    with_arithmetic!(arithmetic, A => {
+        let prepared = description.prepare::<A>().map_err(Failure::Usage)?;
+        let parts = SceneParts::new(prepared);
+        Ok(Box::new(move || shade(description, &parts)))
+    })
+}
+
+fn shade<A: HostArithmetic>(description: &Description, parts: &SceneParts<A>) -> Frame {
     let surfaces = parts.surfaces();
     let scene = parts.scene(&surfaces);
     let (width, height) = (
@@ -48,12 +58,12 @@ fn shade<A: HostArithmetic>(description: &Description) -> Outcome<Frame> {
         scene.shade_row(y, |x, light| row[x] = light);
         progress.step();
     });
-    Ok(Frame {
+    Frame {
         width,
         height,
         pixels,
         dither: description.dither,
-    })
+    }
 }
 
 impl Frame {

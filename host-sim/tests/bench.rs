@@ -53,6 +53,10 @@ fn what_the_plain_renderer_does_not_know_is_refused() {
         .replace("[0, -1, 1]\ncolor", "[0, -3, 3]\nintensity");
     let scene = folder.file("lamp.toml", &lamp);
     run(&["bench", &scene]).mistake(&["lights are directional"]);
+    for more in ["shadows = true", "samples = 4"] {
+        let scene = folder.file("more.toml", format!("{more}\n{SCENE}"));
+        run(&["bench", &scene]).mistake(&["no shadows and one sample"]);
+    }
     let retro = SCENE.replace("metallic-phong", "retro-phong");
     let scene = folder.file("retro.toml", &retro);
     run(&["bench", &scene]).mistake(&["material.it"]);

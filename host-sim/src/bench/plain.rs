@@ -1,7 +1,9 @@
 //! The renderer that one would write without this project: single precision,
 //! `powf`, R·V, Schlick's approximation.
 
-use microbrdf_scene::{AlbedoTable, Description, LightKind, Material, camera_frame, half_pixel};
+use microbrdf_scene::{
+    AlbedoTable, AnySamples, Description, LightKind, Material, camera_frame, half_pixel,
+};
 use rayon::prelude::*;
 
 type Vector = [f32; 3];
@@ -65,6 +67,9 @@ impl Plain {
         }
         if scene.view.is_some() {
             return Err("there is no mesh in the plain renderer".to_owned());
+        }
+        if scene.shadows || scene.samples != AnySamples::One {
+            return Err("there are no shadows and one sample in the plain renderer".to_owned());
         }
         let coats = scene.materials.iter().map(|(name, material)| {
             let model = model(material)

@@ -9,7 +9,11 @@ use crate::arithmetic::ArithmeticName;
 use crate::bench::plain::Plain;
 use crate::cli::Bench;
 use crate::exit::{Failure, Outcome};
-use crate::{reference_picture, render};
+use crate::reference_picture::Renderer;
+use crate::render;
+
+/// Renders the scene once.
+type Turn<'a> = Box<dyn Fn() + 'a>;
 
 /// Most columns and rows of the enlarged scene.
 const GREATEST: u16 = 1024;
@@ -23,37 +27,30 @@ pub fn run(arguments: &Bench) -> Outcome<()> {
     let factor = (GREATEST / side).max(1);
     scene.camera.width *= factor;
     scene.camera.height *= factor;
+    // Ready before the clock starts: tables and models are not pixels.
     let plain = Plain::new(&scene).map_err(Failure::Usage)?;
-    let mut names: Vec<String> = ArithmeticName::ALL
-        .iter()
-        .map(|name| name.name().to_owned())
-        .collect();
-    names.extend(["reference, f64".to_owned(), "plain, f32 powf".to_owned()]);
-    let mut times = vec![Vec::new(); names.len()];
+    let exact = Renderer::new(&scene);
+    let mut renderers: Vec<(&str, Turn<'_>)> = Vec::new();
+    for name in ArithmeticName::ALL {
+        let render = render::renderer(&scene, name)?;
+        let turn = move || drop(black_box(render().srgb()));
+        renderers.push((name.name(), Box::new(turn)));
+    }
+    renderers.push((
+        "reference, f64",
+        Box::new(|| drop(black_box(exact.render().srgb()))),
+    ));
+    renderers.push((
+        "plain, f32 powf",
+        Box::new(|| drop(black_box(plain.render()))),
+    ));
+    let mut times = vec![Vec::new(); renderers.len()];
     for _ in 0..arguments.repeat {
-        let mut turns = times.iter_mut();
-        let mut timed = |render: &dyn Fn() -> Outcome<()>| -> Outcome<()> {
+        for ((_, render), times) in renderers.iter().zip(&mut times) {
             let started = Instant::now();
-            render()?;
-            if let Some(times) = turns.next() {
-                times.push(started.elapsed().as_secs_f64());
-            }
-            Ok(())
-        };
-        for name in ArithmeticName::ALL {
-            timed(&|| {
-                black_box(render::frame(&scene, name)?.srgb());
-                Ok(())
-            })?;
+            render();
+            times.push(started.elapsed().as_secs_f64());
         }
-        timed(&|| {
-            black_box(reference_picture::render(&scene).srgb());
-            Ok(())
-        })?;
-        timed(&|| {
-            black_box(plain.render());
-            Ok(())
-        })?;
     }
     let medians: Vec<f64> = times.iter_mut().map(|times| median(times)).collect();
     let pixels = f64::from(scene.camera.width) * f64::from(scene.camera.height);
@@ -67,7 +64,7 @@ pub fn run(arguments: &Bench) -> Outcome<()> {
         rayon::current_num_threads(),
         arguments.repeat
     );
-    for (name, median) in names.iter().zip(&medians) {
+    for ((name, _), median) in renderers.iter().zip(&medians) {
         text.push_str(&format!(
             "{name:16} {:7.1} ns a pixel; {:5.2} times as fast as the reference, {:5.2} as plain f32\n",
             1e9 * median / pixels,

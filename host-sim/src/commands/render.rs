@@ -6,7 +6,7 @@ use microbrdf_scene::Description;
 use super::Computed;
 use crate::cli::Render;
 use crate::exit::{Failure, Outcome};
-use crate::reference_picture::Exact;
+use crate::reference_picture::{Exact, Renderer};
 use crate::{reference_picture, render};
 
 /// Renders a scene to a picture, a panel's photograph, or both.
@@ -59,7 +59,5 @@ fn faceted(description: &Description, slope: f64) -> Outcome<Exact> {
         ));
     }
     let facets = CookTorrance::beckmann(slope).map_err(|error| fault(error.to_string()))?;
-    Ok(reference_picture::render_as(description, &|_| {
-        Box::new(facets)
-    }))
+    Ok(Renderer::with_models(description, &|_| Box::new(facets)).render())
 }
