@@ -58,8 +58,8 @@ fn spheres_throw_shadows_on_a_mesh() {
     let pixels = (0..changed.len())
         .filter(|i| on_mesh.at(i % 64, i / 64).is_some() && changed[*i] != without[*i])
         .count();
-    // The shadow of a small sphere; it would be none.
-    assert!(pixels >= 10, "{pixels} pixels of the mesh");
+    // That the shadow is right is held above; here, that there is one.
+    assert!(pixels > 0, "no pixel of the mesh lies in shadow");
 }
 
 /// Of each light something is kept, and nothing but light is taken away.
