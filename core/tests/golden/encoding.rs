@@ -1,6 +1,8 @@
 //! What needs no arithmetic: encodings, and the knots of curves.
 
-use microbrdf::shade::{LINEAR_ONE, Linear, grey16, srgb8, srgb8_bisected, srgb8_quick};
+use microbrdf::shade::{
+    LINEAR_ONE, Linear, Octahedral, Palette565, grey16, srgb8, srgb8_bisected, srgb8_quick,
+};
 use microbrdf::table::{COSINE_KNOTS, CosineCurve, ProfileCurve};
 use microbrdf_bits::Checksum;
 
@@ -57,6 +59,32 @@ pub fn add(sums: &mut Sums) {
     sums.push("dithered pixels", sum.value());
 
     let mut sum = Checksum::new();
+    for tint in [
+        [LINEAR_ONE; 3],
+        [LINEAR_ONE / 2, LINEAR_ONE / 3, 5],
+        [u32::MAX, 0, 12_345_678],
+    ] {
+        let palette = Palette565::new(tint);
+        for light in (0..LINEAR_ONE + 70_000).step_by(509).chain([u32::MAX]) {
+            sum.feed(u32::from(palette.at(light)));
+        }
+    }
+    sums.push("palettes", sum.value());
+
+    let codes = (0..=u32::MAX).step_by(65_521 * 9);
+    sums.push(
+        "normals of three bytes",
+        normals(codes.clone().map(|code| {
+            let [_, a, b, c] = code.to_le_bytes();
+            [a, b, c]
+        })),
+    );
+    sums.push(
+        "normals of four bytes",
+        normals(codes.map(|code| [code as i16, (code >> 16) as i16])),
+    );
+
+    let mut sum = Checksum::new();
     for index in 0..COSINE_KNOTS + 3 {
         sum.feed(u32::from(CosineCurve::knot(index)));
     }
@@ -64,6 +92,24 @@ pub fn add(sums: &mut Sums) {
         sum.feed(ProfileCurve::distance(halvings, 97));
     }
     sums.push("knots", sum.value());
+}
+
+/// Stored normals, there and back; those at the corners first.
+fn normals<N: Octahedral>(stored: impl Iterator<Item = N>) -> u64 {
+    let mut sum = Checksum::new();
+    let ends = [-N::GREATEST, -1, 0, 1, N::GREATEST];
+    let corners = ends
+        .into_iter()
+        .flat_map(|x| ends.map(|y| N::from_coordinates([x, y])));
+    for normal in corners.chain(stored) {
+        let again = N::from_coordinates(normal.coordinates());
+        for numbers in [normal.vector(), again.vector()] {
+            for number in numbers {
+                sum.feed(number as u32);
+            }
+        }
+    }
+    sum.value()
 }
 
 /// The least linear value with a code.

@@ -6,7 +6,9 @@ use microbrdf::fixed::types::{I2F14, I2F30, I8F24, I24F40, U0F32, U32F32};
 use microbrdf::geometry::Direction;
 use microbrdf::sampling::Sampling;
 use microbrdf::shade::{FloodLight, Placing, PointLight};
-use microbrdf::table::{COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve};
+use microbrdf::table::{
+    COSINE_KNOTS, CosineCurve, PROFILE_KNOTS, ProfileCurve, SQUARE_KNOTS, SquareCurve,
+};
 use microbrdf_bits::{Raw, Sampled};
 
 /// An arithmetic with its components as bits.
@@ -164,6 +166,17 @@ pub fn profile(halvings: u32) -> Result<ProfileCurve, ParameterError> {
         *knot = (1 << 31) - index * index % 1_999 * 1_000_003 - 12_345 * index;
     }
     ProfileCurve::new(knots, halvings)
+}
+
+/// A profile over the square of a distance that rises and falls, too; its reach
+/// is 65536/`inverse`.
+pub fn square(inverse: u16) -> Result<SquareCurve, ParameterError> {
+    let mut knots = [0; SQUARE_KNOTS];
+    for (index, knot) in knots.iter_mut().enumerate() {
+        let index = index as u32;
+        *knot = ((1 << 15) - index * index % 1_999 * 13 - 47 * index) as u16;
+    }
+    SquareCurve::new(knots, inverse)
 }
 
 /// An endless sequence of words (SplitMix64).

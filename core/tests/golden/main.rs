@@ -11,6 +11,7 @@ mod given;
 mod models;
 mod sampling;
 mod scene;
+mod view;
 mod wild;
 
 use expect_test::{ExpectFile, expect_file};
@@ -32,6 +33,7 @@ fn shading<A: Viewed>(sums: &mut Sums) {
     models::add::<A>(sums);
     wild::add::<A>(sums);
     scene::add::<A>(sums);
+    view::add::<A>(sums);
 }
 
 fn compare<A: Given>(kept: &ExpectFile, add: fn(&mut Sums)) {

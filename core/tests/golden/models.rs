@@ -1,6 +1,9 @@
 //! Every model at many parameters: its table, its peak, its directions.
 
-use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, PatchProfile, Retro};
+use microbrdf::brdf::{
+    Brdf, Flat, GeneralisedLambert, Metal, Metallic, MetallicPaint, Mirror, PatchMetal,
+    PatchProfile, Retro,
+};
 use microbrdf::{ParameterError, Rgb};
 use microbrdf_bits::{Checksum, digest};
 
@@ -103,11 +106,26 @@ pub fn add<A: Given>(sums: &mut Sums) {
         "lambert",
         over::<A, _, _>(&colours, |albedo| A::lambert(*albedo)),
     );
+    let plastic = |albedo: &[u32; 3]| {
+        let rest = (1 << 16) - albedo.iter().max().expect("three channels");
+        A::plastic(*albedo, [rest, rest / 3, 0], 7 << 16)
+    };
+    sums.push("plastic", over::<A, _, _>(&colours, plastic));
     sums.push(
-        "plastic",
+        "plastic with Fresnel's factor",
         over::<A, _, _>(&colours, |albedo| {
-            let rest = (1 << 16) - albedo.iter().max().expect("three channels");
-            A::plastic(*albedo, [rest, rest / 3, 0], 7 << 16)
+            Ok(plastic(albedo)?.with_fresnel(given::curve()))
+        }),
+    );
+    sums.push(
+        "generalised lambert",
+        over::<A, _, _>(&[1 << 14, 17_243, 1 << 15, 40_000, 0xFFFF], |inverse| {
+            let (body, peak) = (A::lambert(colours[3])?, A::patch(1 << 16)?.peak());
+            Ok(GeneralisedLambert::new(
+                body,
+                given::square(*inverse)?,
+                peak,
+            ))
         }),
     );
     sums.push(
@@ -117,6 +135,27 @@ pub fn add<A: Given>(sums: &mut Sums) {
                 A::lobe::<Mirror, _>(*n, Metallic)?,
                 given::curve(),
             ))
+        }),
+    );
+    sums.push(
+        "metallic paint",
+        over::<A, _, _>(&SHARPNESSES, |s| {
+            Ok(MetallicPaint::<A>::new(
+                A::patch_exponential(*s)?,
+                given::curve(),
+            ))
+        }),
+    );
+    sums.push(
+        "metal of exponential patches",
+        over::<A, _, _>(&SHARPNESSES, |s| {
+            Ok(PatchMetal::new(A::patch_exponential(*s)?, given::curve()))
+        }),
+    );
+    sums.push(
+        "metal of patches",
+        over::<A, _, _>(&RADII, |radius| {
+            Ok(PatchMetal::new(A::patch(*radius)?, given::curve()))
         }),
     );
 }

@@ -4,9 +4,9 @@ use microbrdf::Rgb;
 use microbrdf::brdf::{Metallic, Mirror};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{
-    AlbedoDaylight, Camera, Checker, Coat, FourSamples, Ground, Light, Linear, NoDaylight,
+    AlbedoDaylight, Camera, Checker, Coat, FourSamples, Ground, Light, Linear, NoDaylight, NoView,
     OneSample, Plane, PointLight, Samples, Scene, Shadowed, Shadows, Sphere, Spot, Surface,
-    Unshadowed, grey16,
+    Unshadowed, View, grey16,
 };
 use microbrdf_bits::Checksum;
 
@@ -35,10 +35,7 @@ pub fn add<A: Viewed>(sums: &mut Sums) {
         "scene, checkers in shadow, four samples",
         picture(high, &checkers, &lights, Shadowed, FourSamples),
     );
-    let lamps = [[1.5, 2.0, 1.0], [-2.0, 3.0, 2.5]].map(|position: [f64; 3]| PointLight::<A> {
-        position: position.map(A::length),
-        near: A::length(0.75),
-    });
+    let lamps = lamps::<A>();
     sums.push(
         "scene, points in shadow",
         picture(level, &checkers, &lamps, Shadowed, OneSample),
@@ -60,7 +57,7 @@ pub fn add<A: Viewed>(sums: &mut Sums) {
 }
 
 /// A camera towards `forward`, with steps of `step` for half a pixel.
-fn camera<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> Camera<A> {
+pub fn camera<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> Camera<A> {
     let [fx, fy, fz] = forward;
     let number = |numbers: [f64; 3]| numbers.map(A::fine);
     // Right is level, up is right × forward.
@@ -80,7 +77,8 @@ fn camera<A: Viewed>(forward: [f64; 3], width: u16, height: u16, step: f64) -> C
     }
 }
 
-fn planes<A: Viewed>() -> [Plane<A>; 2] {
+/// A floor and a wall.
+pub fn planes<A: Viewed>() -> [Plane<A>; 2] {
     let unit = |bits: [i32; 3]| direction::<A>(bits);
     [
         Plane {
@@ -112,8 +110,16 @@ fn checker<A: Viewed>(plane: Plane<A>) -> Checker<A> {
     }
 }
 
+/// Two lamps.
+pub fn lamps<A: Viewed>() -> [PointLight<A>; 2] {
+    [[1.5, 2.0, 1.0], [-2.0, 3.0, 2.5]].map(|position: [f64; 3]| PointLight {
+        position: position.map(A::length),
+        near: A::length(0.75),
+    })
+}
+
 /// (2, 1, 2)/3, (−6, −3, 2)/7, and straight down.
-fn directions<A: Viewed>() -> [Direction<A>; 3] {
+pub fn directions<A: Viewed>() -> [Direction<A>; 3] {
     [
         direction::<A>([715_827_882, 357_913_941, 715_827_882]),
         direction::<A>([-920_350_135, -460_175_067, 306_783_378]),
@@ -123,6 +129,18 @@ fn directions<A: Viewed>() -> [Direction<A>; 3] {
 
 /// A picture of spheres and these planes under these lights.
 fn picture<A: Viewed>(
+    camera: Camera<A>,
+    planes: &[impl Ground<A>],
+    lights: &[impl Light<A>],
+    shadows: impl Shadows,
+    samples: impl Samples,
+) -> u64 {
+    behind(NoView, camera, planes, lights, shadows, samples)
+}
+
+/// The same behind a view.
+pub fn behind<A: Viewed>(
+    view: impl View<A>,
     camera: Camera<A>,
     planes: &[impl Ground<A>],
     lights: &[impl Light<A>],
@@ -173,7 +191,7 @@ fn picture<A: Viewed>(
     ];
     let scene = Scene {
         camera,
-        view: microbrdf::shade::NoView,
+        view,
         spheres: &spheres,
         planes,
         lights,

@@ -1,7 +1,10 @@
 //! Directions of any bits: whatever is clamped, saturates or is refused.
 
 use microbrdf::ParameterError;
-use microbrdf::brdf::{Brdf, Flat, Metal, Metallic, Mirror, PatchProfile, Retro};
+use microbrdf::brdf::{
+    Brdf, Flat, GeneralisedLambert, Metal, Metallic, MetallicPaint, Mirror, PatchMetal,
+    PatchProfile, Retro,
+};
 use microbrdf::geometry::{Direction, ShadingFrame, World};
 use microbrdf_bits::Checksum;
 
@@ -49,6 +52,27 @@ pub fn add<A: Given>(sums: &mut Sums) {
     push(
         "metal",
         any(A::lobe::<Mirror, _>(2 << 16, Metallic).map(|lobe| Metal::new(lobe, given::curve()))),
+    );
+    push(
+        "plastic with Fresnel's factor",
+        any(A::plastic([1 << 14, 1 << 15, 9], [1 << 15; 3], 4 << 16)
+            .map(|plastic| plastic.with_fresnel(given::curve()))),
+    );
+    push(
+        "metallic paint",
+        any(A::patch_exponential(2 << 16)
+            .map(|patch| MetallicPaint::<A>::new(patch, given::curve()))),
+    );
+    push(
+        "metal of patches",
+        any(A::patch(3 << 15).map(|patch| PatchMetal::new(patch, given::curve()))),
+    );
+    push(
+        "generalised lambert",
+        any(A::lambert([1 << 16, 1 << 13, 1 << 15]).and_then(|body| {
+            let peak = A::patch(1 << 16)?.peak();
+            Ok(GeneralisedLambert::new(body, given::square(19_661)?, peak))
+        })),
     );
 }
 
