@@ -13,9 +13,9 @@ macro_rules! every_pixel {
         use microbrdf::fixed::types::{I8F24, I24F40, U32F32};
         use microbrdf::geometry::Direction;
         use microbrdf::shade::{
-            AlbedoDaylight, Camera, Checker, Coat, Dimmed, FloodLight, FourSamples, Light, Linear,
-            NoView, OneSample, Placing, Plane, PointLight, Scene, Shadowed, Sphere, Tracing,
-            Unshadowed, grey16,
+            AlbedoDaylight, Camera, Checker, Coat, Dimmed, Extent, FloodLight, FourSamples, Light,
+            Linear, NoView, OneSample, Placing, Plane, PointLight, Scene, Shadowed, Sphere,
+            Tracing, Unshadowed, grey16,
         };
         use microbrdf::table::{COSINE_KNOTS, CosineCurve};
         // Brings the handler.
@@ -93,6 +93,10 @@ macro_rules! every_pixel {
                 eye: lengths(),
                 radius: length(),
                 material: black_box(0),
+                extent: Extent {
+                    columns: black_box([0; 2]),
+                    rows: black_box([0; 2]),
+                },
             };
             let camera = Camera {
                 width: black_box(0),

@@ -331,10 +331,12 @@ fn scene<A: HostArithmetic>(
         .iter()
         .map(|sphere| {
             format!(
-                "        Sphere {{ eye: {}, radius: {}, material: {} }},\n",
+                "        Sphere {{ eye: {}, radius: {}, material: {}, extent: Extent {{ columns: {:?}, rows: {:?} }} }},\n",
                 lengths(&sphere.eye),
                 A::length_code(sphere.radius),
-                sphere.material
+                sphere.material,
+                sphere.extent.columns,
+                sphere.extent.rows
             )
         })
         .collect();

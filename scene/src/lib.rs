@@ -7,6 +7,7 @@ mod curve;
 mod description;
 mod error;
 mod exposure;
+mod extent;
 pub mod files;
 mod highlight;
 mod host;

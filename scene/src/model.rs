@@ -58,77 +58,20 @@ pub enum AnyModel<A: Arithmetic> {
     FresnelPlastic(Box<Plastic<A, Metal<A>>>),
 }
 
+/// `$result` with `$model` naming the model, whichever it is.
 macro_rules! each {
     ($any:expr, $model:ident => $result:expr) => {
+        each!($any, $model => $result,
+            Lambert Phong MetallicPhong PModel RetroFlat RetroPhong RetroPModel
+            Patch PatchExponential PatchProfile Metal BasicPatchMetal PatchMetal
+            MetallicPaint GeneralisedLambert Plastic FresnelPlastic)
+    };
+    ($any:expr, $model:ident => $result:expr, $($variant:ident)+) => {
         match $any {
-            AnyModel::Lambert($model) => {
-                let $model = &**$model;
+            $(AnyModel::$variant(model) => {
+                let $model = &**model;
                 $result
-            }
-            AnyModel::Phong($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::MetallicPhong($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::PModel($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::RetroFlat($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::RetroPhong($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::RetroPModel($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::Patch($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::PatchExponential($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::PatchProfile($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::Metal($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::BasicPatchMetal($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::PatchMetal($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::MetallicPaint($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::GeneralisedLambert($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::Plastic($model) => {
-                let $model = &**$model;
-                $result
-            }
-            AnyModel::FresnelPlastic($model) => {
-                let $model = &**$model;
-                $result
-            }
+            })+
         }
     };
 }
@@ -148,6 +91,15 @@ impl<A: Arithmetic> Brdf<A> for AnyModel<A> {
 
     fn reflect(&self, geometry: &impl Geometry<A>) -> Rgb<A::Radiance> {
         each!(self, model => Brdf::<A>::reflect(model, geometry))
+    }
+}
+
+impl<A: Arithmetic> AnyModel<A> {
+    /// Bytes that the model takes: those of a microcontroller, for there are
+    /// no pointers in it.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        each!(self, model => std::mem::size_of_val(model))
     }
 }
 

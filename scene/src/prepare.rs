@@ -10,6 +10,7 @@ use crate::curve::cosine_curve;
 use crate::description::{
     CameraDescription, Description, LightDescription, LightKind, PlaneDescription,
 };
+use crate::extent::extent;
 use crate::host::HostArithmetic;
 use crate::lamp::{AnyLight, rounded};
 use crate::material::{Material, Reflectance};
@@ -101,6 +102,7 @@ impl Description {
                     eye: sub(eye, sphere.center).map(|c| A::length(c / sphere.radius)),
                     radius: A::length(sphere.radius),
                     material: sphere.material as u8,
+                    extent: extent(&self.camera, sphere, self.samples.side()),
                 })
                 .collect(),
             planes: self.planes.iter().map(|p| checker(p, eye)).collect(),

@@ -135,9 +135,9 @@ static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView, Unshadowed, 
     },
     view: NoView,
     spheres: &[
-        Sphere { eye: [f32::from_bits(0x3fb33333), f32::from_bits(0xc0e00000), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 0 },
-        Sphere { eye: [f32::from_bits(0xbf99999a), f32::from_bits(0xc0eccccd), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 1 },
-        Sphere { eye: [f32::from_bits(0xc0a80000), f32::from_bits(0xc1580000), f32::from_bits(0x40d00000)], radius: f32::from_bits(0x3ecccccd), material: 2 },
+        Sphere { eye: [f32::from_bits(0x3fb33333), f32::from_bits(0xc0e00000), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 0, extent: Extent { columns: [13, 43], rows: [21, 51] } },
+        Sphere { eye: [f32::from_bits(0xbf99999a), f32::from_bits(0xc0eccccd), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 1, extent: Extent { columns: [50, 79], rows: [20, 49] } },
+        Sphere { eye: [f32::from_bits(0xc0a80000), f32::from_bits(0xc1580000), f32::from_bits(0x40d00000)], radius: f32::from_bits(0x3ecccccd), material: 2, extent: Extent { columns: [76, 93], rows: [46, 62] } },
     ],
     planes: &[
         Checker { plane: Plane { normal: Direction::new(f32::from_bits(0x00000000), f32::from_bits(0x00000000), f32::from_bits(0x3f800000)), height: f32::from_bits(0x40400000), material: 3 }, odd: 4, eye: [f32::from_bits(0x3ff00000), f32::from_bits(0x3f980000)], across: [[f32::from_bits(0x3fa00000), f32::from_bits(0x00000000), f32::from_bits(0x00000000)], [f32::from_bits(0x00000000), f32::from_bits(0x3fa00000), f32::from_bits(0x00000000)]] },

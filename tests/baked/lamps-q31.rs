@@ -135,9 +135,9 @@ static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView, Unshadowed, 
     },
     view: NoView,
     spheres: &[
-        Sphere { eye: [I8F24::from_bits(23488102), I8F24::from_bits(-117440512), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 0 },
-        Sphere { eye: [I8F24::from_bits(-20132659), I8F24::from_bits(-124151398), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 1 },
-        Sphere { eye: [I8F24::from_bits(-88080384), I8F24::from_bits(-226492416), I8F24::from_bits(109051904)], radius: I8F24::from_bits(6710886), material: 2 },
+        Sphere { eye: [I8F24::from_bits(23488102), I8F24::from_bits(-117440512), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 0, extent: Extent { columns: [13, 43], rows: [21, 51] } },
+        Sphere { eye: [I8F24::from_bits(-20132659), I8F24::from_bits(-124151398), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 1, extent: Extent { columns: [50, 79], rows: [20, 49] } },
+        Sphere { eye: [I8F24::from_bits(-88080384), I8F24::from_bits(-226492416), I8F24::from_bits(109051904)], radius: I8F24::from_bits(6710886), material: 2, extent: Extent { columns: [76, 93], rows: [46, 62] } },
     ],
     planes: &[
         Checker { plane: Plane { normal: Direction::new(I2F30::from_bits(0), I2F30::from_bits(0), I2F30::from_bits(1073741824)), height: I8F24::from_bits(50331648), material: 3 }, odd: 4, eye: [I24F40::from_bits(2061584302080), I24F40::from_bits(1305670057984)], across: [[I24F40::from_bits(1374389534720), I24F40::from_bits(0), I24F40::from_bits(0)], [I24F40::from_bits(0), I24F40::from_bits(1374389534720), I24F40::from_bits(0)]] },

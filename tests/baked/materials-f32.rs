@@ -106,11 +106,11 @@ static SCENE: Scene<'static, A, Material, Plane<A>, Direction<A>, NoView, Unshad
     },
     view: NoView,
     spheres: &[
-        Sphere { eye: [f32::from_bits(0x405b6db7), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 0 },
-        Sphere { eye: [f32::from_bits(0x3f924925), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 1 },
-        Sphere { eye: [f32::from_bits(0xbf924925), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 2 },
-        Sphere { eye: [f32::from_bits(0xc05b6db7), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 3 },
-        Sphere { eye: [f32::from_bits(0x00000000), f32::from_bits(0xc1c80000), f32::from_bits(0x40caaaab)], radius: f32::from_bits(0x3e99999a), material: 4 },
+        Sphere { eye: [f32::from_bits(0x405b6db7), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 0, extent: Extent { columns: [4, 26], rows: [13, 35] } },
+        Sphere { eye: [f32::from_bits(0x3f924925), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 1, extent: Extent { columns: [26, 48], rows: [13, 35] } },
+        Sphere { eye: [f32::from_bits(0xbf924925), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 2, extent: Extent { columns: [48, 70], rows: [13, 35] } },
+        Sphere { eye: [f32::from_bits(0xc05b6db7), f32::from_bits(0xc14db6db), f32::from_bits(0x3fb6db6e)], radius: f32::from_bits(0x3f333333), material: 3, extent: Extent { columns: [70, 92], rows: [13, 35] } },
+        Sphere { eye: [f32::from_bits(0x00000000), f32::from_bits(0xc1c80000), f32::from_bits(0x40caaaab)], radius: f32::from_bits(0x3e99999a), material: 4, extent: Extent { columns: [42, 54], rows: [35, 47] } },
     ],
     planes: &[
     ],

@@ -106,11 +106,11 @@ static SCENE: Scene<'static, A, Material, Plane<A>, Direction<A>, NoView, Unshad
     },
     view: NoView,
     spheres: &[
-        Sphere { eye: [I8F24::from_bits(57521883), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 0 },
-        Sphere { eye: [I8F24::from_bits(19173961), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 1 },
-        Sphere { eye: [I8F24::from_bits(-19173961), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 2 },
-        Sphere { eye: [I8F24::from_bits(-57521883), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 3 },
-        Sphere { eye: [I8F24::from_bits(0), I8F24::from_bits(-419430400), I8F24::from_bits(106255701)], radius: I8F24::from_bits(5033165), material: 4 },
+        Sphere { eye: [I8F24::from_bits(57521883), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 0, extent: Extent { columns: [4, 26], rows: [13, 35] } },
+        Sphere { eye: [I8F24::from_bits(19173961), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 1, extent: Extent { columns: [26, 48], rows: [13, 35] } },
+        Sphere { eye: [I8F24::from_bits(-19173961), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 2, extent: Extent { columns: [48, 70], rows: [13, 35] } },
+        Sphere { eye: [I8F24::from_bits(-57521883), I8F24::from_bits(-215707063), I8F24::from_bits(23967451)], radius: I8F24::from_bits(11744051), material: 3, extent: Extent { columns: [70, 92], rows: [13, 35] } },
+        Sphere { eye: [I8F24::from_bits(0), I8F24::from_bits(-419430400), I8F24::from_bits(106255701)], radius: I8F24::from_bits(5033165), material: 4, extent: Extent { columns: [42, 54], rows: [35, 47] } },
     ],
     planes: &[
     ],

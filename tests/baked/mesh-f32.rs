@@ -116,7 +116,7 @@ static SCENE: Scene<'static, A, Material, Plane<A>, Lamp, SeenMesh, Unshadowed, 
     },
     view: MeshView { rows: &ROWS, spans: &SPANS, normals: &NORMALS, depths: StoredDepths { near: f32::from_bits(0x40c52c4d), range: f32::from_bits(0x3ff6ffcf), codes: &DEPTHS } },
     spheres: &[
-        Sphere { eye: [f32::from_bits(0xbec00000), f32::from_bits(0xc1540000), f32::from_bits(0x40900000)], radius: f32::from_bits(0x3ecccccd), material: 0 },
+        Sphere { eye: [f32::from_bits(0xbec00000), f32::from_bits(0xc1540000), f32::from_bits(0x40900000)], radius: f32::from_bits(0x3ecccccd), material: 0, extent: Extent { columns: [31, 48], rows: [25, 43] } },
     ],
     planes: &[
         Plane { normal: Direction::new(f32::from_bits(0x00000000), f32::from_bits(0x00000000), f32::from_bits(0x3f800000)), height: f32::from_bits(0x40200000), material: 0 },

@@ -116,7 +116,7 @@ static SCENE: Scene<'static, A, Material, Plane<A>, Lamp, SeenMesh, Unshadowed, 
     },
     view: MeshView { rows: &ROWS, spans: &SPANS, normals: &NORMALS, depths: StoredDepths { near: I8F24::from_bits(103375461), range: I8F24::from_bits(32374687), codes: &DEPTHS } },
     spheres: &[
-        Sphere { eye: [I8F24::from_bits(-6291456), I8F24::from_bits(-222298112), I8F24::from_bits(75497472)], radius: I8F24::from_bits(6710886), material: 0 },
+        Sphere { eye: [I8F24::from_bits(-6291456), I8F24::from_bits(-222298112), I8F24::from_bits(75497472)], radius: I8F24::from_bits(6710886), material: 0, extent: Extent { columns: [31, 48], rows: [25, 43] } },
     ],
     planes: &[
         Plane { normal: Direction::new(I2F30::from_bits(0), I2F30::from_bits(0), I2F30::from_bits(1073741824)), height: I8F24::from_bits(41943040), material: 0 },

@@ -125,9 +125,9 @@ static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView, Shadowed, Fo
     },
     view: NoView,
     spheres: &[
-        Sphere { eye: [f32::from_bits(0x3fa66666), f32::from_bits(0xc0e00000), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 0 },
-        Sphere { eye: [f32::from_bits(0xbfaaaaab), f32::from_bits(0xc1071c72), f32::from_bits(0x40155555)], radius: f32::from_bits(0x3f666666), material: 1 },
-        Sphere { eye: [f32::from_bits(0xbf400000), f32::from_bits(0xc1640000), f32::from_bits(0x40c00000)], radius: f32::from_bits(0x3ecccccd), material: 2 },
+        Sphere { eye: [f32::from_bits(0x3fa66666), f32::from_bits(0xc0e00000), f32::from_bits(0x40000000)], radius: f32::from_bits(0x3f800000), material: 0, extent: Extent { columns: [45, 132], rows: [57, 143] } },
+        Sphere { eye: [f32::from_bits(0xbfaaaaab), f32::from_bits(0xc1071c72), f32::from_bits(0x40155555)], radius: f32::from_bits(0x3f666666), material: 1, extent: Extent { columns: [155, 227], rows: [61, 133] } },
+        Sphere { eye: [f32::from_bits(0xbf400000), f32::from_bits(0xc1640000), f32::from_bits(0x40c00000)], radius: f32::from_bits(0x3ecccccd), material: 2, extent: Extent { columns: [138, 180], rows: [116, 158] } },
     ],
     planes: &[
         Checker { plane: Plane { normal: Direction::new(f32::from_bits(0x00000000), f32::from_bits(0x00000000), f32::from_bits(0x3f800000)), height: f32::from_bits(0x40400000), material: 3 }, odd: 2, eye: [f32::from_bits(0x3ff00000), f32::from_bits(0x3f980000)], across: [[f32::from_bits(0x3fa00000), f32::from_bits(0x00000000), f32::from_bits(0x00000000)], [f32::from_bits(0x00000000), f32::from_bits(0x3fa00000), f32::from_bits(0x00000000)]] },

@@ -125,9 +125,9 @@ static SCENE: Scene<'static, A, Material, Checker<A>, Lamp, NoView, Shadowed, Fo
     },
     view: NoView,
     spheres: &[
-        Sphere { eye: [I8F24::from_bits(21810381), I8F24::from_bits(-117440512), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 0 },
-        Sphere { eye: [I8F24::from_bits(-22369621), I8F24::from_bits(-141674268), I8F24::from_bits(39146837)], radius: I8F24::from_bits(15099494), material: 1 },
-        Sphere { eye: [I8F24::from_bits(-12582912), I8F24::from_bits(-239075328), I8F24::from_bits(100663296)], radius: I8F24::from_bits(6710886), material: 2 },
+        Sphere { eye: [I8F24::from_bits(21810381), I8F24::from_bits(-117440512), I8F24::from_bits(33554432)], radius: I8F24::from_bits(16777216), material: 0, extent: Extent { columns: [45, 132], rows: [57, 143] } },
+        Sphere { eye: [I8F24::from_bits(-22369621), I8F24::from_bits(-141674268), I8F24::from_bits(39146837)], radius: I8F24::from_bits(15099494), material: 1, extent: Extent { columns: [155, 227], rows: [61, 133] } },
+        Sphere { eye: [I8F24::from_bits(-12582912), I8F24::from_bits(-239075328), I8F24::from_bits(100663296)], radius: I8F24::from_bits(6710886), material: 2, extent: Extent { columns: [138, 180], rows: [116, 158] } },
     ],
     planes: &[
         Checker { plane: Plane { normal: Direction::new(I2F30::from_bits(0), I2F30::from_bits(0), I2F30::from_bits(1073741824)), height: I8F24::from_bits(50331648), material: 3 }, odd: 2, eye: [I24F40::from_bits(2061584302080), I24F40::from_bits(1305670057984)], across: [[I24F40::from_bits(1374389534720), I24F40::from_bits(0), I24F40::from_bits(0)], [I24F40::from_bits(0), I24F40::from_bits(1374389534720), I24F40::from_bits(0)]] },

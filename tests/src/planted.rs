@@ -1,8 +1,10 @@
 //! Bugs that are planted to see the tests fail.
 
 mod reference;
+mod scenes;
 
 pub use reference::REFERENCE_BUGS;
+pub use scenes::SCENE_BUGS;
 
 /// One change of the source, and the files of tests that must notice it.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +32,7 @@ impl Bug {
 
 /// The bugs of all packages.
 pub fn all() -> impl Iterator<Item = &'static Bug> {
-    BUGS.iter().chain(REFERENCE_BUGS)
+    BUGS.iter().chain(SCENE_BUGS).chain(REFERENCE_BUGS)
 }
 
 const fn bug(

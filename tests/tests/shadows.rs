@@ -2,7 +2,7 @@
 
 use microbrdf::arithmetic::{F32, Q15, Q31};
 use microbrdf::geometry::Direction;
-use microbrdf::shade::{Camera, Sphere};
+use microbrdf::shade::{Camera, Extent, Sphere};
 use microbrdf_scene::vector::{cross, length, scaled};
 use microbrdf_scene::{Description, HostArithmetic};
 use microbrdf_sim::arithmetic::ArithmeticName;
@@ -187,6 +187,7 @@ fn worst<A: HostArithmetic>(per_unit: f64, per_scene: f64) -> f64 {
             eye: center.map(|c| A::length(-c / radius)),
             radius: A::length(radius),
             material: 0,
+            extent: Extent::EVERYWHERE,
         };
         let l16 = direction(l);
         if A::hides(&sphere, &from, &l16, None) != (margin < 0.0) {

@@ -3,6 +3,7 @@
 mod camera;
 mod checker;
 mod dither;
+mod extent;
 mod grey;
 mod light;
 mod linear;
@@ -29,6 +30,7 @@ mod view;
 
 pub use camera::Camera;
 pub use checker::Checker;
+pub use extent::Extent;
 pub use grey::{grey16, grey16_nearest};
 pub use light::{Beam, Dimmed, FloodLight, Light, PointLight};
 pub use linear::{LINEAR_ONE, Linear};

@@ -63,6 +63,7 @@ impl<const KNOTS: usize> Placing for Q15<KNOTS> {
             eye: sphere.eye,
             radius: sphere.radius,
             material: sphere.material,
+            extent: sphere.extent,
         };
         Fine::hides(&sphere, place, &widened(l), lamp)
     }

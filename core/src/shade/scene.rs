@@ -72,8 +72,12 @@ where
     /// What the camera sees in column `x` of its row `y`.
     #[inline]
     fn seen(&self, x: usize, y: usize) -> Linear {
+        let resolved = self.view.at(x, y);
+        if resolved.is_none() && self.is_empty(x, y) {
+            return self.background;
+        }
         let d = A::ray(&self.camera, x, y);
-        let seen = self.view.at(x, y).or_else(|| self.first_hit(&d));
+        let seen = resolved.or_else(|| self.first_hit(&d, x, y));
         let Some((depth, normal, material)) = seen else {
             return self.background;
         };
@@ -88,10 +92,20 @@ where
         A::linear(surface.light(&normal, &A::reverse(&d), self.lights, &met))
     }
 
+    /// Whether no shape can be there: not even the ray is needed then.
+    #[inline]
+    fn is_empty(&self, x: usize, y: usize) -> bool {
+        self.planes.is_empty() && !self.spheres.iter().any(|sphere| sphere.extent.holds(x, y))
+    }
+
     /// Depth, normal and material of what the ray meets first.
     #[inline]
-    fn first_hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
-        let spheres = self.spheres.iter().map(|sphere| sphere.hit(d));
+    fn first_hit(&self, d: &A::Ray, x: usize, y: usize) -> Option<(A::Depth, Direction<A>, u8)> {
+        let near = self
+            .spheres
+            .iter()
+            .filter(|sphere| sphere.extent.holds(x, y));
+        let spheres = near.map(|sphere| sphere.hit(d));
         let planes = self.planes.iter().map(|plane| plane.hit(d));
         let mut first: Option<(A::Depth, Direction<A>, u8)> = None;
         for hit in spheres.chain(planes) {

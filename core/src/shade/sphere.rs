@@ -1,6 +1,6 @@
 //! Spheres.
 
-use super::Tracing;
+use super::{Extent, Tracing};
 use crate::geometry::Direction;
 
 /// A sphere, seen from outside.
@@ -12,6 +12,8 @@ pub struct Sphere<A: Tracing> {
     pub radius: A::Length,
     /// Index of its material.
     pub material: u8,
+    /// Where it may be seen.
+    pub extent: Extent,
 }
 
 impl<A: Tracing> Sphere<A> {

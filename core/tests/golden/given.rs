@@ -25,6 +25,8 @@ pub trait Viewed: Given + Placing {
     fn fine(number: f64) -> Self::Fine;
     /// A length, a rounded number.
     fn length(number: f64) -> Self::Length;
+    /// Its bits.
+    fn length_bits(length: Self::Length) -> u32;
     /// A flood whose light falls with the power `n`.
     ///
     /// # Errors
@@ -81,6 +83,9 @@ impl<M: Math> Viewed for Float<M> {
     fn length(number: f64) -> f32 {
         number as f32
     }
+    fn length_bits(length: f32) -> u32 {
+        Self::bits(length)
+    }
     fn flood(
         lamp: PointLight<Self>,
         back: Direction<Self>,
@@ -97,6 +102,9 @@ impl<const CELLS: usize> Viewed for Q31<CELLS> {
     fn length(number: f64) -> I8F24 {
         I8F24::from_num(number)
     }
+    fn length_bits(length: I8F24) -> u32 {
+        length.to_bits() as u32
+    }
     fn flood(
         lamp: PointLight<Self>,
         back: Direction<Self>,
@@ -112,6 +120,9 @@ impl<const KNOTS: usize> Viewed for Q15<KNOTS> {
     }
     fn length(number: f64) -> I8F24 {
         I8F24::from_num(number)
+    }
+    fn length_bits(length: I8F24) -> u32 {
+        length.to_bits() as u32
     }
     fn flood(
         lamp: PointLight<Self>,

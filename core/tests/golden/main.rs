@@ -9,6 +9,7 @@
 mod encoding;
 mod given;
 mod models;
+mod places;
 mod sampling;
 mod scene;
 mod view;
@@ -34,6 +35,7 @@ fn shading<A: Viewed>(sums: &mut Sums) {
     wild::add::<A>(sums);
     scene::add::<A>(sums);
     view::add::<A>(sums);
+    places::add::<A>(sums);
 }
 
 fn compare<A: Given>(kept: &ExpectFile, add: fn(&mut Sums)) {

@@ -36,6 +36,8 @@ const EXPONENTS: [u64; 20] = [
     10_000_000 << 16,
     100_000_000 << 16,
 ];
+/// Exponents just above 1, where a table's last cell has its own rule.
+const LOW: [u64; 7] = [68_000, 72_090, 78_643, 85_197, 91_750, 94_000, 120_000];
 /// Powers p of a cosine, 16 fraction bits.
 const POWERS: [u16; 9] = [
     1, 100, 6_554, 16_384, 32_768, 40_000, 49_152, 58_982, 65_535,
@@ -69,6 +71,10 @@ pub fn add<A: Given>(sums: &mut Sums) {
     sums.push(
         "metallic phong",
         over::<A, _, _>(&EXPONENTS, |n| A::lobe::<Mirror, _>(*n, Metallic)),
+    );
+    sums.push(
+        "metallic phong of low exponents",
+        over::<A, _, _>(&LOW, |n| A::lobe::<Mirror, _>(*n, Metallic)),
     );
     sums.push(
         "phong",

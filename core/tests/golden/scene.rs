@@ -4,8 +4,8 @@ use microbrdf::Rgb;
 use microbrdf::brdf::{Metallic, Mirror};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{
-    AlbedoDaylight, Camera, Checker, Coat, FourSamples, Ground, Light, Linear, NoDaylight, NoView,
-    OneSample, Plane, PointLight, Samples, Scene, Shadowed, Shadows, Sphere, Spot, Surface,
+    AlbedoDaylight, Camera, Checker, Coat, Extent, FourSamples, Ground, Light, Linear, NoDaylight,
+    NoView, OneSample, Plane, PointLight, Samples, Scene, Shadowed, Shadows, Sphere, Spot, Surface,
     Unshadowed, View, grey16,
 };
 use microbrdf_bits::Checksum;
@@ -24,6 +24,27 @@ pub fn add<A: Viewed>(sums: &mut Sums) {
     sums.push("scene, from above", plain(above));
     sums.push("scene, level", plain(level));
     sums.push("scene, upwards", plain(upwards));
+
+    let part = Extent {
+        columns: [11, 30],
+        rows: [4, 15],
+    };
+    sums.push(
+        "scene, spheres in a part",
+        within(part, NoView, above, &planes, &lights, Unshadowed, OneSample),
+    );
+    sums.push(
+        "scene, nothing but spheres in a part",
+        within(
+            part,
+            NoView,
+            above,
+            &planes[..0],
+            &lights,
+            Unshadowed,
+            OneSample,
+        ),
+    );
 
     let checkers = planes.map(checker);
     let high = Camera {
@@ -49,6 +70,17 @@ pub fn add<A: Viewed>(sums: &mut Sums) {
     sums.push(
         "scene, floods in shadow",
         picture(above, &checkers, &floods, Shadowed, OneSample),
+    );
+    // By reference, as a baked scene has it; a sphere stands behind it, and
+    // throws no shadow forwards.
+    let low = PointLight::<A> {
+        position: [0.2, 2.6, -1.2].map(A::length),
+        near: A::length(0.25),
+    };
+    let low = A::flood(low, direction::<A>([0, 1 << 30, 0]), 2).expect("n");
+    sums.push(
+        "scene, a flood before a sphere in shadow",
+        picture(above, &checkers, &[&low], Shadowed, OneSample),
     );
     sums.push(
         "scene, floods",
@@ -147,10 +179,25 @@ pub fn behind<A: Viewed>(
     shadows: impl Shadows,
     samples: impl Samples,
 ) -> u64 {
+    let extent = Extent::EVERYWHERE;
+    within(extent, view, camera, planes, lights, shadows, samples)
+}
+
+/// The same, with spheres looked for in a part of it alone.
+fn within<A: Viewed>(
+    extent: Extent,
+    view: impl View<A>,
+    camera: Camera<A>,
+    planes: &[impl Ground<A>],
+    lights: &[impl Light<A>],
+    shadows: impl Shadows,
+    samples: impl Samples,
+) -> u64 {
     let sphere = |centre: [f64; 3], radius: f64, material| Sphere::<A> {
         eye: centre.map(|c| A::length(-c / radius)),
         radius: A::length(radius),
         material,
+        extent,
     };
     let spheres = [
         sphere([0.0, 4.0, -1.0], 1.0, 0),

@@ -163,7 +163,7 @@ impl<A: HostArithmetic> PreparedView<A> {
 
 /// The core's view of a scene with meshes or without, chosen at run time.
 #[derive(Clone, Copy, Debug)]
-pub struct AnyView<'a, A: HostArithmetic>(pub(crate) Option<&'a PreparedView<A>>);
+pub struct AnyView<'a, A: HostArithmetic>(pub Option<&'a PreparedView<A>>);
 
 impl<A: HostArithmetic> View<A> for AnyView<'_, A> {
     #[inline]

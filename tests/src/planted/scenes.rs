@@ -1,0 +1,85 @@
+//! Bugs of what only scenes have: the materials that came last, meshes,
+//! shadows, samples, and where spheres are looked for.
+
+use super::{Bug, bug};
+
+/// Bugs of the core and of the scenes.
+pub const SCENE_BUGS: &[Bug] = &[
+    bug(
+        "metallic paint takes Fresnel's factor at Θmin",
+        "core/src/brdf/tinted.rs",
+        "A::cos_theta_prime(geometry.separation(), geometry.cosines())",
+        "larger::<A>(geometry.cosines().0, geometry.cosines().1)",
+        &["scenes"],
+    ),
+    bug(
+        "a metal of patches takes Fresnel's factor at V",
+        "core/src/brdf/tinted.rs",
+        "        larger::<A>(n_dot_l, n_dot_v)\n",
+        "        core::cmp::PartialOrd::partial_cmp(&n_dot_l, &n_dot_v).map_or(n_dot_l, |_| n_dot_v)\n",
+        &["scenes"],
+    ),
+    bug(
+        "generalised Lambert has no colour",
+        "core/src/brdf/generalised_lambert.rs",
+        "self.body.coloured(share, geometry)",
+        "{ let _ = geometry; Rgb::grey(share) }",
+        &["scenes"],
+    ),
+    bug(
+        "a ceramic's glaze is a lobe's",
+        "scene/src/prepare.rs",
+        "                    Some(index) => Self::Metal {\n                        exponent: *exponent,",
+        "                    Some(index) => Self::Metal {\n                        exponent: 2.0 * *exponent,",
+        &["scenes"],
+    ),
+    bug(
+        "a normal's fold goes the wrong way",
+        "core/src/shade/octahedral.rs",
+        "if c < 0 { c - fold } else { c + fold }",
+        "if c < 0 { c + fold } else { c - fold }",
+        &["mesh"],
+    ),
+    bug(
+        "a span of a mesh begins one normal late",
+        "core/src/shade/view.rs",
+        "(first as usize).wrapping_add(x - usize::from(start))",
+        "(first as usize).wrapping_add(1 + x - usize::from(start))",
+        &["mesh"],
+    ),
+    bug(
+        "a lamp's shadow is that of a light at infinity",
+        "core/src/shade/placing_q31.rs",
+        "Some(to) => ahead.wrapping_sub(along(to.map(|c| c >> shift))).max(0),",
+        "Some(_) => 0,",
+        &["shadows"],
+    ),
+    bug(
+        "spheres throw shadows of twice their size",
+        "core/src/shade/placing_q31.rs",
+        "square < (radius.wrapping_mul(radius)) as u64",
+        "square < 4 * (radius.wrapping_mul(radius)) as u64",
+        &["shadows"],
+    ),
+    bug(
+        "a ray of four is counted twice",
+        "core/src/shade/samples.rs",
+        "[[1, 0], [3, 1], [0, 2], [2, 3]]",
+        "[[1, 0], [3, 1], [0, 2], [1, 0]]",
+        &["shadows"],
+    ),
+    bug(
+        "spheres are looked for a pixel too narrowly",
+        "scene/src/extent.rs",
+        "const MARGIN: f64 = 1.0;",
+        "const MARGIN: f64 = -0.6;",
+        &["extents"],
+    ),
+    bug(
+        "rows are counted upwards where spheres are looked for",
+        "scene/src/extent.rs",
+        "rows: along(up.map(|c| -c), camera.height),",
+        "rows: along(up, camera.height),",
+        &["extents"],
+    ),
+];
