@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import pytest
 
 from microbrdf_counter.count import cycles
@@ -164,6 +166,17 @@ def test_a_failed_condition_takes_one_cycle() -> None:
     passed_over = cycles(known, Trace(addresses=[0x100, 0x104]), M3)
     # `it`, 2 or 1 for the load, the NOP.
     assert [executed - M3.call, passed_over - M3.call] == [4, 3]
+
+
+def test_sums_side_by_side_take_one_cycle_on_m4_and_are_none_of_m3s() -> None:
+    code = "92fa58f2"
+    assert decode(bytes.fromhex(code), 0)[0].text == "uqadd16 r2, r2, r8"
+    assert cost(code, M4F) == 1
+    with pytest.raises(UnknownInstruction, match="uqadd16") as unknown:
+        cost(code, M3)
+    # Counters run in processes of their own, from which it has to come back.
+    back = pickle.loads(pickle.dumps(unknown.value))  # noqa: S301
+    assert str(back) == str(unknown.value)
 
 
 FLOATS = [

@@ -8,7 +8,7 @@ from typing import Any
 
 from microbrdf_counter.count import classes, costs, cycles
 from microbrdf_counter.image import Image
-from microbrdf_counter.machine import Machine
+from microbrdf_counter.machine import Machine, Stray
 from microbrdf_counter.timings import TIMINGS
 
 
@@ -21,6 +21,7 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
 
     Raises:
         Differs: A result is not the one that the host computed.
+        Stray: The depth of the stack is asked for, and can't be told.
     """
     image = Image.read(path)
     machine = Machine(image, target)
@@ -45,7 +46,9 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
                     f"{calls['kernel']} for {target} gives {trace.results} for "
                     f"{call['arguments']} {call['memory']}, the host {wanted}"
                 )
-            stack = max(stack, trace.stack)
+            if trace.stack is None and calls.get("stack", True):
+                raise Stray(f"{calls['kernel']} moves the stack by what is not known")
+            stack = max(stack, trace.stack or 0)
             instructions[name].append(len(trace.addresses))
             if name == "lobe":
                 kinds += classes(machine.code, trace)
@@ -54,7 +57,7 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
                     spent[core].update(costs(machine.code, trace, timing))
             for core, timing in timings.items():
                 of_calls[core][name].append(cycles(machine.code, trace, timing))
-    total = max(1, len(instructions["lobe"]))
+    total = max(1, len(instructions.get("lobe", [])))
     return {
         "kernel": calls["kernel"],
         "target": target,

@@ -47,13 +47,14 @@ class Trace:
             an IT block is not among them.
         operands: How often an instruction met a pair of operands, by address and operands.
         results: Registers or words of memory that the function gave back.
-        stack: Bytes of stack that it took, its arguments on the stack left out.
+        stack: Bytes of stack that it took, its arguments on the stack left out; ``None`` where
+            an instruction moves the stack by what is not known.
     """
 
     addresses: list[int] = field(default_factory=list)
     operands: Counter[tuple[int, int, int]] = field(default_factory=Counter)
     results: list[int] = field(default_factory=list)
-    stack: int = 0
+    stack: int | None = 0
 
 
 class Machine:
@@ -133,12 +134,12 @@ class Machine:
             trace.results = [uc.reg_read(_REGISTERS["r0"])]
         return trace
 
-    def _depth(self, trace: Trace) -> int:
-        """The deepest that the stack pointer goes below where it was."""
+    def _depth(self, trace: Trace) -> int | None:
+        """The deepest that the stack pointer goes below where it was, if it is known."""
         moves = {}
         for address in set(trace.addresses):
             this = self.code[address]
             if this.stack is None:
-                raise Stray(f"`{this.text}` moves the stack by what is not known")
+                return None
             moves[address] = this.stack
         return -min(accumulate(map(moves.__getitem__, trace.addresses)), default=0)

@@ -15,9 +15,15 @@ _LONG = "umull smull umlal smlal umaal".split()
 _SHORT = (
     "mul mla mls smulbb smulbt smultb smultt smlabb smlabt smlatb smlatt smulwb smulwt smlawb "
     "smlawt smmul smmla smmls smmulr smmlar smmlsr smuad smusd smlad smlsd smlald smlsld "
-    "smlalbb smlalbt smlaltb smlaltt qadd qsub qdadd qdsub sadd16 ssub16 uadd8 usub8 sel pkhbt "
+    "smlalbb smlalbt smlaltb smlaltt qadd qsub qdadd qdsub sel pkhbt "
     "pkhtb sxtab sxtah uxtab uxtah sxtb16 uxtb16 ssat16 usat16 usada8 usad8"
 ).split()
+#: Sums of halves or bytes side by side.
+_PARALLEL = [
+    prefix + operation
+    for prefix in "s q sh u uq uh".split()
+    for operation in "add8 add16 sub8 sub16 asx sax".split()
+]
 _FLOAT_SINGLE = "vadd vsub vmul vnmul vabs vneg vcmp vcmpe vcvt vcvtr".split()
 _FLOAT_MULTIPLY_ADD = "vmla vmls vnmla vnmls vfma vfms vfnma vfnms".split()
 #: Whose result costs a cycle more where the next instruction needs it.
@@ -33,7 +39,7 @@ class CortexM4F(CortexM3):
         "divisions 2 to 12 cycles by the size of their operands; a float that the next "
         "instruction needs costs one more"
     )
-    _multiplies: ClassVar[dict[str, int]] = dict.fromkeys((*_LONG, *_SHORT), 1)
+    _multiplies: ClassVar[dict[str, int]] = dict.fromkeys((*_LONG, *_SHORT, *_PARALLEL), 1)
 
     def cycles(self, before: Instruction | None, this: Instruction, taken: bool) -> int:
         """Cycles of an instruction after another, at their greatest for any operands."""

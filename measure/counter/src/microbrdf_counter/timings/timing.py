@@ -13,6 +13,11 @@ class UnknownInstruction(Exception):
     def __init__(self, instruction: Instruction, core: str) -> None:
         """``instruction`` has no timing on ``core``."""
         super().__init__(f"no timing for `{instruction.text}` on {core}")
+        self._given = instruction, core
+
+    def __reduce__(self) -> tuple[type[UnknownInstruction], tuple[Instruction, str]]:
+        """How it comes back from another process."""
+        return type(self), self._given
 
 
 class Timing(Protocol):
