@@ -86,6 +86,14 @@ pub enum Command {
         --material 'model = \"metallic-phong\", exponent = 20'"
     )]
     Advise(Advise),
+    /// Tells what a scene will take on a board, before anything is built.
+    #[command(
+        after_help = "Bytes and cycles are sums over what the scene has, with costs that `cargo \
+        xtask forecast` measured; docs/budget.md says how near they come. Cycles are estimates. \
+        The error is that of the picture, which this command renders.\n\n\
+        Example: microbrdf budget scenes/demo.toml --board microbit --arithmetic q15"
+    )]
+    Budget(Budget),
     /// Draws the test card: values and errors where no scene shows them.
     #[command(
         after_help = "Pixels are pairs of directions: across, how far V lies from the mirror \
@@ -319,6 +327,22 @@ pub struct Bench {
     /// Turns of each renderer.
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub repeat: u16,
+}
+
+/// `budget`.
+#[derive(Debug, Args)]
+pub struct Budget {
+    /// Scene file.
+    pub scene: PathBuf,
+    /// Board, as `cargo xtask firmware` has it [default: all].
+    #[arg(long)]
+    pub board: Option<String>,
+    /// How the firmware is to compute.
+    #[arg(long, default_value = "q31")]
+    pub arithmetic: ArithmeticName,
+    /// Print JSON, a list with an entry for each board.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `chart`.

@@ -3,6 +3,7 @@
 pub mod advice;
 pub mod arithmetic;
 pub mod bench;
+pub mod budget;
 pub mod chart;
 pub mod cli;
 pub mod commands;

@@ -1,6 +1,9 @@
 //! Pictures as the core computes them.
 
+use std::convert::Infallible;
+
 use microbrdf::shade::{Linear, grey16, grey16_nearest};
+use microbrdf_link::{FrameWriter, Header, PixelFormat, SendError};
 use microbrdf_scene::{Description, HostArithmetic, SceneParts};
 use rayon::prelude::*;
 
@@ -67,6 +70,37 @@ fn shade<A: HostArithmetic>(description: &Description, parts: &SceneParts<A>) ->
 }
 
 impl Frame {
+    /// A header that says the frame's size and nothing else.
+    pub fn header(&self, format: PixelFormat) -> Header<'static> {
+        Header::new(self.width as u16, self.height as u16, format)
+    }
+
+    /// Sends the frame as a device does.
+    ///
+    /// # Errors
+    /// A header that the wire can't carry.
+    pub fn send(
+        &self,
+        sink: &mut Vec<u8>,
+        header: &Header<'_>,
+    ) -> Result<(), SendError<Infallible>> {
+        let mut writer = FrameWriter::begin(sink, header)?;
+        match header.pixel_format {
+            PixelFormat::Srgb8 => {
+                for pixel in &self.pixels {
+                    writer.pixels(&pixel.srgb8())?;
+                }
+            }
+            PixelFormat::Rgb565 => {
+                for packed in self.rgb565() {
+                    writer.pixels(&packed.to_le_bytes())?;
+                }
+            }
+        }
+        writer.end()?;
+        Ok(())
+    }
+
     /// The picture in 8-bit sRGB.
     pub fn srgb(&self) -> Picture {
         Picture {

@@ -17,7 +17,14 @@ pub struct Board {
     pub flash: u64,
     /// Bytes of RAM.
     pub ram: u64,
+    /// Cycles a second, as its firmware sets the clock.
+    pub hz: u64,
+    /// Bits a second on its serial line.
+    pub baud: u64,
 }
+
+/// All boards' lines.
+const BAUD: u64 = 115_200;
 
 /// Every board, the default one first.
 pub const BOARDS: [Board; 3] = [
@@ -28,6 +35,8 @@ pub const BOARDS: [Board; 3] = [
         panel: true,
         flash: 256 << 10,
         ram: 64 << 10,
+        hz: 8_000_000,
+        baud: BAUD,
     },
     Board {
         name: "microbit",
@@ -36,6 +45,8 @@ pub const BOARDS: [Board; 3] = [
         panel: false,
         flash: 256 << 10,
         ram: 16 << 10,
+        hz: 16_000_000,
+        baud: BAUD,
     },
     Board {
         name: "netduinoplus2",
@@ -44,6 +55,8 @@ pub const BOARDS: [Board; 3] = [
         panel: false,
         flash: 1024 << 10,
         ram: 128 << 10,
+        hz: 16_000_000,
+        baud: BAUD,
     },
 ];
 
@@ -91,6 +104,38 @@ mod tests {
         let text = line.split("LENGTH = ").nth(1)?.trim();
         let number: u64 = text[..text.len() - 1].parse().ok()?;
         Some(number << if text.ends_with('M') { 20 } else { 10 })
+    }
+
+    /// The number in a source's line that contains `what`.
+    fn number(board: &str, file: &str, what: &str) -> Option<u64> {
+        let path = format!(
+            "{}/../firmware/src/boards/{board}/{file}",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        let source = std::fs::read_to_string(path).ok()?;
+        let line = source.lines().find(|line| line.contains(what))?;
+        let digits = line.split(what).nth(1)?.replace('_', "");
+        let end = digits.find(|c: char| !c.is_ascii_digit());
+        digits[..end.unwrap_or(digits.len())].parse().ok()
+    }
+
+    #[test]
+    fn clocks_and_lines_are_those_of_the_boards() {
+        let sources = [
+            [("clock.rs", "HZ: u32 = "), ("uart.rs", "BAUD: u32 = ")],
+            // The crystal's, as the manual of the nRF51 has it.
+            [
+                ("mod.rs", "the crystal of "),
+                ("uart.rs", "baudrate().baud"),
+            ],
+            [("mod.rs", "HZ: u32 = "), ("uart.rs", "BAUD: u32 = ")],
+        ];
+        for (board, [clock, line]) in BOARDS.into_iter().zip(sources) {
+            let of = |(file, what)| number(board.name, file, what).unwrap_or(0);
+            let mhz = [of(clock), 1_000_000 * of(clock)];
+            assert!(mhz.contains(&board.hz), "{}: {mhz:?}", board.name);
+            assert_eq!(of(line), board.baud, "{}", board.name);
+        }
     }
 
     #[test]

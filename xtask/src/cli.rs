@@ -9,6 +9,7 @@ use clap::{Arg, ArgAction, ArgMatches, Command};
 use crate::board::{ARITHMETICS, BOARDS, Board};
 use crate::failure::{Failure, Outcome};
 use crate::firmware::Order;
+use crate::forecast;
 use crate::layout::Layout;
 use crate::measure::{self, CORES};
 use crate::setup::Purpose;
@@ -29,6 +30,7 @@ pub fn command() -> Command {
         .subcommand(demo())
         .subcommand(gallery())
         .subcommand(measure_command())
+        .subcommand(forecast())
         .subcommand(test())
 }
 
@@ -128,6 +130,29 @@ fn measure_command() -> Command {
     .arg(yes())
 }
 
+fn forecast() -> Command {
+    subcommand(
+        "forecast",
+        "What single things cost on every board, which `microbrdf budget` adds up",
+        "forecast --board microbit --arithmetic q15",
+    )
+    .arg(
+        Arg::new("board")
+            .long("board")
+            .value_name("BOARD")
+            .help("Only this board; what is known of others stays")
+            .value_parser(PossibleValuesParser::new(BOARDS.map(|board| board.name))),
+    )
+    .arg(
+        Arg::new("arithmetic")
+            .long("arithmetic")
+            .value_name("A")
+            .help("Only this arithmetic; what is known of others stays")
+            .value_parser(PossibleValuesParser::new(ARITHMETICS)),
+    )
+    .arg(yes())
+}
+
 fn test() -> Command {
     subcommand(
         "test",
@@ -217,6 +242,15 @@ pub fn measure(matches: &ArgMatches) -> measure::Order {
         core: option("core"),
         only: option("only"),
         set_budgets: matches.get_flag("set-budgets"),
+    }
+}
+
+/// What `forecast` is to measure.
+pub fn chosen(matches: &ArgMatches) -> forecast::Chosen {
+    let option = |name: &str| matches.get_one::<String>(name).cloned();
+    forecast::Chosen {
+        board: option("board"),
+        arithmetic: option("arithmetic"),
     }
 }
 

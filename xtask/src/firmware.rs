@@ -15,6 +15,9 @@ use crate::toolchain::Cross;
 /// The firmware's feature for boards with little flash.
 pub const BRIEF: &str = "brief";
 
+/// The environment's variable that tells a build which baked scene to take.
+pub const SCENE: &str = "MICROBRDF_SCENE_RS";
+
 /// What to build.
 #[derive(Debug, Clone)]
 pub struct Order {
@@ -89,6 +92,12 @@ pub fn check_scene(scene: &Path) -> Outcome<()> {
     )))
 }
 
+/// Where a scene's constants are kept.
+pub fn baked(layout: &Layout, scene: &Path, arithmetic: &str) -> PathBuf {
+    let name = format!("{}-{arithmetic}.rs", stem(scene));
+    layout.target().join("firmware").join(name)
+}
+
 /// Writes the scene as Rust constants and returns the file's path. Unchanged constants leave the file untouched, so that nothing is compiled again.
 pub fn bake(
     layout: &Layout,
@@ -96,9 +105,9 @@ pub fn bake(
     scene: &Path,
     arithmetic: &str,
 ) -> Outcome<PathBuf> {
+    let baked = baked(layout, scene, arithmetic);
     let folder = layout.target().join("firmware");
     fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
-    let baked = folder.join(format!("{}-{arithmetic}.rs", stem(scene)));
     let fresh = baked.with_extension("rs.new");
     host.run([
         "bake".as_ref(),
@@ -144,7 +153,7 @@ pub fn build(
             &order.feature_list(),
         ])
         .args(quiet.then_some("--quiet"))
-        .env("MICROBRDF_SCENE_RS", baked)
+        .env(SCENE, baked)
         .stdin(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()

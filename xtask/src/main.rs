@@ -7,6 +7,7 @@ mod command;
 mod demo;
 mod failure;
 mod firmware;
+mod forecast;
 mod gallery;
 mod host_sim;
 mod layout;
@@ -70,10 +71,16 @@ fn run(matches: &ArgMatches) -> Outcome<()> {
             let cross = setup::ensure(&layout, &Machine, Purpose::Measure, &order.targets(), yes)?;
             measure::command(&layout, &cross, &order)
         }
+        Some(("forecast", options)) => {
+            let targets = Board::targets();
+            let yes = options.get_flag("yes");
+            let cross = setup::ensure(&layout, &Machine, Purpose::Test, &targets, yes)?;
+            forecast::command(&layout, &cross, &cli::chosen(options))
+        }
         Some(("gallery", options)) => {
             let targets = Board::targets();
             let yes = options.get_flag("yes");
-            let cross = setup::ensure(&layout, &Machine, Purpose::Demo, &targets, yes)?;
+            let cross = setup::ensure(&layout, &Machine, Purpose::Test, &targets, yes)?;
             gallery::command(&layout, &cross)
         }
         Some(("test", options)) => {

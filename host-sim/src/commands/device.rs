@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::io::{self, Read, Write};
 use std::net::TcpListener;
 
-use microbrdf_link::{FrameWriter, Header, PixelFormat, SendError};
+use microbrdf_link::{Header, PixelFormat, SendError};
 use microbrdf_scene::Description;
 
 use crate::cli::Device;
@@ -108,12 +108,6 @@ impl<'a> Sender<'a> {
     }
 
     fn encode(&self, sink: &mut Vec<u8>, number: u16) -> Result<(), SendError<Infallible>> {
-        let Frame {
-            width,
-            height,
-            pixels,
-            ..
-        } = &self.frame;
         let format = if self.arguments.rgb565 {
             PixelFormat::Rgb565
         } else {
@@ -126,22 +120,8 @@ impl<'a> Sender<'a> {
             core: std::env::consts::ARCH,
             arithmetic: self.arguments.arithmetic.name(),
             scene: &self.description.name,
-            ..Header::new(*width as u16, *height as u16, format)
+            ..self.frame.header(format)
         };
-        let mut writer = FrameWriter::begin(sink, &header)?;
-        match format {
-            PixelFormat::Srgb8 => {
-                for pixel in pixels {
-                    writer.pixels(&pixel.srgb8())?;
-                }
-            }
-            PixelFormat::Rgb565 => {
-                for packed in self.frame.rgb565() {
-                    writer.pixels(&packed.to_le_bytes())?;
-                }
-            }
-        }
-        writer.end()?;
-        Ok(())
+        self.frame.send(sink, &header)
     }
 }

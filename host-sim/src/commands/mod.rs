@@ -4,6 +4,7 @@ mod advise;
 mod albedo;
 mod bake;
 mod bench;
+mod budget;
 mod chart;
 pub mod compare;
 mod device;
@@ -33,6 +34,7 @@ pub fn run(command: &Command) -> Outcome<()> {
         Command::Device(arguments) => device::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
+        Command::Budget(arguments) => budget::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
         Command::Advise(arguments) => advise::run(arguments),
         Command::Chart(arguments) => chart::run(arguments),

@@ -12,6 +12,7 @@ use crate::board::{ARITHMETICS, BOARDS, Board};
 use crate::demo;
 use crate::failure::{During, Failure, Outcome};
 use crate::firmware::{self, Order};
+use crate::forecast::{Program, held};
 use crate::gallery;
 use crate::host_sim::HostSim;
 use crate::picture::Picture;
@@ -25,6 +26,9 @@ const CODE_ERROR: f64 = 1.0;
 const CLASS_FLIPS: f64 = 20.0;
 /// Greatest share of codes that may be off by one.
 const CODE_ERROR_SHARE: f64 = 0.01;
+
+/// One of so many rows of the demo scene is counted.
+const EVERY: usize = 32;
 
 /// Features of the firmware that change what it sends, but not that the frame is whole.
 const OPTIONS: [&str; 2] = ["rgb565", "defmt"];
@@ -100,10 +104,26 @@ fn demonstrate(bench: &Bench<'_>, board: Board, arithmetic: &str, scene: &str) -
         ..order(bench, board, arithmetic, &[])
     };
     let out = folder(bench, &format!("{scene}-{}-{arithmetic}", board.name))?;
-    let report = demo::run(bench.layout, bench.cross, &host, &order, &out, true)?;
+    let mut report = demo::run(bench.layout, bench.cross, &host, &order, &out, true)?;
+    let program = Program::build(bench.layout, true)?;
+    if held::is_forecast(board, arithmetic) {
+        held::add(
+            bench.layout,
+            bench.cross,
+            &host,
+            &program,
+            (&order, &out),
+            EVERY,
+            &mut report,
+        )?;
+    }
     print!("{}", report::lines(&report));
     let mut faults = report::faults(&report);
     faults.extend(far_from_reference(&report));
+    if held::is_forecast(board, arithmetic) {
+        print!("{}", held::line(&report));
+        faults.extend(held::faults(&report));
+    }
     if faults.is_empty() {
         return Ok(Tally::PASSED);
     }

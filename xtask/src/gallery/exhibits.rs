@@ -63,7 +63,7 @@ pub const EXHIBITS: &[Exhibit] = &[
     Exhibit {
         name: "ceramics",
         title: "Ceramics",
-        words: "The glazes of figure 3.13 of the thesis, on spheres: n = 100 above, 20 below; Fresnel's factor of an index of 1.5 on the highlight (3.30) makes it faint in front and bright at the rim. The right column is without it (3.31).",
+        words: "The glazes of figure 3.13 of the thesis, on teapots: n = 100 above, 20 below; Fresnel's factor of an index of 1.5 on the highlight (3.30) makes it faint in front and bright at the rim. The right column is without it (3.31).",
         beside: None,
     },
     Exhibit {

@@ -13,6 +13,7 @@ use crate::board::Board;
 use crate::demo;
 use crate::failure::{During, Failure, Outcome};
 use crate::firmware::Order;
+use crate::forecast::{Program, held};
 use crate::host_sim::HostSim;
 use crate::layout::Layout;
 use crate::picture::Picture;
@@ -23,6 +24,9 @@ use exhibits::{EXHIBITS, Exhibit};
 /// Boards, each with the arithmetic that suits it; the pictures are the first one's.
 const RUNS: [(&str, &str); 2] = [("lm3s6965evb", "q31"), ("microbit", "q15")];
 
+/// One of so many rows is counted.
+const EVERY: usize = 32;
+
 /// The test card: no scene, so no device.
 const CHART: &str = "chart";
 
@@ -31,15 +35,18 @@ struct Shown {
     exhibit: &'static Exhibit,
     reports: Vec<Value>,
     picture: Picture,
+    /// Where a forecast was off.
+    off: Vec<String>,
 }
 
 /// `cargo xtask gallery`.
 pub fn command(layout: &Layout, cross: &Cross) -> Outcome<()> {
     println!("{}", cross.chosen(layout));
     let host = HostSim::build(layout, false)?;
+    let program = Program::build(layout, false)?;
     let mut shown = Vec::new();
     for exhibit in EXHIBITS {
-        shown.push(show(layout, cross, &host, exhibit)?);
+        shown.push(show(layout, cross, &host, &program, exhibit)?);
     }
     let text = document::markdown(&shown, cross.version());
     let path = layout.at("docs/gallery.md");
@@ -54,7 +61,7 @@ pub fn command(layout: &Layout, cross: &Cross) -> Outcome<()> {
     }
     chart(layout, &host)?.write_png(&kept(layout, CHART))?;
     println!("wrote docs/gallery.md and docs/gallery/");
-    Ok(())
+    outdated(shown.into_iter().flat_map(|shown| shown.off).collect())
 }
 
 /// Names of the exhibits, a step of the tests for each.
@@ -72,8 +79,10 @@ pub fn check(layout: &Layout, cross: &Cross, name: &str) -> Outcome<()> {
     let Some(exhibit) = EXHIBITS.iter().find(|exhibit| exhibit.name == name) else {
         return Err(Failure::mistake(format!("no exhibit is called {name}")));
     };
-    let shown = show(layout, cross, &host, exhibit)?;
+    let program = Program::build(layout, true)?;
+    let shown = show(layout, cross, &host, &program, exhibit)?;
     let mut faults = same(layout, name, &shown.picture)?;
+    faults.extend(shown.off.iter().cloned());
     let path = layout.at("docs/gallery.md");
     let text = fs::read_to_string(&path).during(|| format!("reading {}", path.display()))?;
     let section = document::section(&shown);
@@ -125,6 +134,7 @@ fn show(
     layout: &Layout,
     cross: &Cross,
     host: &HostSim<'_>,
+    program: &Program<'_>,
     exhibit: &'static Exhibit,
 ) -> Outcome<Shown> {
     let scene = ["scenes/gallery", "scenes"]
@@ -137,7 +147,7 @@ fn show(
             exhibit.name
         )));
     };
-    let mut reports = Vec::new();
+    let (mut reports, mut off) = (Vec::new(), Vec::new());
     let folder = |board: &str| {
         layout
             .target()
@@ -151,9 +161,20 @@ fn show(
             arithmetic: arithmetic.to_owned(),
             features: Vec::new(),
         };
-        let report = demo::run(layout, cross, host, &order, &folder(board), true)?;
-        print!("{}", report::lines(&report));
+        let out = folder(board);
+        let mut report = demo::run(layout, cross, host, &order, &out, true)?;
+        held::add(
+            layout,
+            cross,
+            host,
+            program,
+            (&order, &out),
+            EVERY,
+            &mut report,
+        )?;
+        print!("{}{}", report::lines(&report), held::line(&report));
         let faults = report::faults(&report);
+        off.extend(held::faults(&report));
         if !faults.is_empty() {
             return Err(Failure::incomplete(faults.join("; ")));
         }
@@ -164,6 +185,7 @@ fn show(
         exhibit,
         reports,
         picture,
+        off,
     })
 }
 

@@ -37,8 +37,7 @@ const fn core(name: &'static str, target: &'static str) -> Core {
 /// with what they took.
 pub fn count(layout: &Layout, target: &str) -> Outcome<PathBuf> {
     let output = super::folder(layout).join(format!("{target}.json"));
-    let to = ["-o".as_ref(), output.as_os_str()];
-    run(layout, target, &Library::kernels(layout, target), &to)?;
+    Library::kernels(layout, target).count(layout, target, &output)?;
     Ok(output)
 }
 
@@ -56,7 +55,12 @@ pub fn second_source(layout: &Layout) -> Outcome<()> {
     run(layout, SECOND_SOURCE, &library, &further)
 }
 
-fn run(layout: &Layout, target: &str, library: &Library, further: &[&OsStr]) -> Outcome<()> {
+pub(super) fn run(
+    layout: &Layout,
+    target: &str,
+    library: &Library,
+    further: &[&OsStr],
+) -> Outcome<()> {
     let program = layout.venv_program("microbrdf-count");
     let status = Command::new(&program)
         .args(["--target", target, "--images"])

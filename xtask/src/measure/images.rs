@@ -9,17 +9,20 @@ use serde_json::Value;
 
 use crate::command;
 use crate::failure::{During, Failure, Outcome};
+use crate::firmware::SCENE;
 use crate::layout::Layout;
 use crate::toolchain::Cross;
 
 /// A library of exported functions, each of which is linked alone.
 pub struct Library {
     /// The package; its library has the same name.
-    package: &'static str,
+    pub package: &'static str,
     /// File with the calls, and so with the names of the functions.
     pub calls: PathBuf,
     /// Folder for the images.
     pub images: PathBuf,
+    /// The baked scene that it holds, if it holds one.
+    pub scene: Option<PathBuf>,
 }
 
 impl Library {
@@ -29,6 +32,7 @@ impl Library {
             package: "microbrdf-kernels",
             calls: super::folder(layout).join("calls.json"),
             images: super::folder(layout).join(target),
+            scene: None,
         }
     }
 
@@ -39,6 +43,7 @@ impl Library {
             package: "microbrdf-checksum",
             calls: folder.join("checksums.json"),
             images: folder.join(format!("checksums-{target}")),
+            scene: None,
         }
     }
 
@@ -62,8 +67,10 @@ impl Library {
     }
 
     fn compile(&self, layout: &Layout, cross: &Cross, target: &str, quiet: bool) -> Outcome<()> {
+        let scene = self.scene.iter().map(|scene| (SCENE, scene));
         let status = cross
             .cargo(layout, "rustc", target)
+            .envs(scene)
             .args(["--locked", "--profile", "firmware"])
             .args(["--package", self.package, "--lib"])
             .args(["--crate-type", "staticlib"])
@@ -78,6 +85,11 @@ impl Library {
             "{} does not build for {target} (see above)",
             self.package
         )))
+    }
+
+    /// Runs every function's calls, and writes what they took.
+    pub fn count(&self, layout: &Layout, target: &str, output: &Path) -> Outcome<()> {
+        super::core::run(layout, target, self, &["-o".as_ref(), output.as_os_str()])
     }
 }
 

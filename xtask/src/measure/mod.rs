@@ -12,7 +12,7 @@ use crate::failure::{During, Outcome};
 use crate::layout::Layout;
 use crate::toolchain::Cross;
 pub use core::{CORES, Core};
-use images::Library;
+pub use images::Library;
 use trade::Trade;
 
 /// What to measure.
