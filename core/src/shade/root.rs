@@ -43,16 +43,8 @@ impl Root {
         let mut inverse = u32::from(first) << 24;
         let mut round = 0;
         while round < 3 {
-            let square = high(inverse, inverse);
-            // 1 but for the error, with 30 fraction bits.
-            let one = high(mantissa, square);
-            let factor = (3u32 << 30).wrapping_sub(one);
-            let wide = u64::from(inverse).wrapping_mul(u64::from(factor)) >> 31;
-            inverse = if wide > u64::from(u32::MAX) {
-                u32::MAX
-            } else {
-                wide as u32
-            };
+            // It fits, as the product below does: all mantissas are tested.
+            inverse = improved(mantissa, inverse) as u32;
             round += 1;
         }
         Self {
@@ -66,12 +58,7 @@ impl Root {
     #[inline]
     pub(crate) fn root(&self) -> u32 {
         // x/√x with 32 fraction bits, then back by half of the shift.
-        let wide = u64::from(self.mantissa).wrapping_mul(u64::from(self.inverse)) >> 31;
-        let root = if wide > u64::from(u32::MAX) {
-            u32::MAX
-        } else {
-            wide as u32
-        };
+        let root = product(self.mantissa, self.inverse) as u32;
         root.checked_shr(self.shift / 2).unwrap_or(0)
     }
 
@@ -83,6 +70,21 @@ impl Root {
     }
 }
 
+/// A better 1/√x with 31 fraction bits, of x with 32.
+#[inline]
+fn improved(mantissa: u32, inverse: u32) -> u64 {
+    let square = high(inverse, inverse);
+    // 1 but for the error, with 30 fraction bits.
+    let one = high(mantissa, square);
+    product((3u32 << 30).wrapping_sub(one), inverse)
+}
+
+/// A product without its lower 31 bits.
+#[inline]
+fn product(a: u32, b: u32) -> u64 {
+    u64::from(a).wrapping_mul(u64::from(b)) >> 31
+}
+
 /// The upper half of a product.
 #[inline]
 fn high(a: u32, b: u32) -> u32 {
@@ -91,7 +93,11 @@ fn high(a: u32, b: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::Root;
+    extern crate std;
+
+    use std::vec::Vec;
+
+    use super::{FIRST, Root, improved, product};
 
     /// Squares of every length, their ends, and many between.
     fn squares() -> impl Iterator<Item = u64> {
@@ -123,5 +129,32 @@ mod tests {
             worst = worst.max((found - exact).abs());
         }
         assert!((0.9..=3.0).contains(&worst), "{worst}");
+    }
+
+    /// Every mantissa, through all rounds: nothing has more than 32 bits.
+    #[test]
+    fn no_mantissa_takes_more_than_32_bits() {
+        let greatest = |mantissas: core::ops::Range<u64>| {
+            mantissas.fold((0, 0), |(most_inverse, most_root), mantissa| {
+                let mantissa = mantissa as u32;
+                let mut inverse = u32::from(FIRST[(mantissa >> 28) as usize - 4]) << 24;
+                let mut most = most_inverse;
+                for _ in 0..3 {
+                    let wide = improved(mantissa, inverse);
+                    most = most.max(wide);
+                    inverse = wide as u32;
+                }
+                (most, most_root.max(product(mantissa, inverse)))
+            })
+        };
+        let parts: Vec<_> = std::thread::scope(|scope| {
+            let parts: Vec<_> = (4..16u64)
+                .map(|cell| scope.spawn(move || greatest(cell << 28..(cell + 1) << 28)))
+                .collect();
+            parts.into_iter().map(|part| part.join().unwrap()).collect()
+        });
+        let inverse = parts.iter().map(|part| part.0).max();
+        let root = parts.iter().map(|part| part.1).max();
+        assert_eq!((inverse, root), (Some(0xFFFF_FFF7), Some(0xFFFF_FFFF)));
     }
 }

@@ -19,6 +19,7 @@ pub fn add<A: Viewed>(sums: &mut Sums) {
     sums.push("any ray at a plane", planes::<A>());
     sums.push("any lamp", lamps::<A>());
     sums.push("any shadow", shadows::<A>());
+    sums.push("any shadow far from its lamp", far_shadows::<A>());
 }
 
 /// Numbers made of words.
@@ -208,6 +209,49 @@ fn shadows<A: Viewed>() -> u64 {
             bits |= u32::from(A::hides(&sphere, &place, &l, Some(&lamp))) << 1;
         }
         sum.feed(bits);
+        fed += 1;
+    }
+    sum.value()
+}
+
+/// Places that may be more than 256 units from the lamp, with a sphere on the
+/// way, nearly so, or far from it.
+fn far_shadows<A: Viewed>() -> u64 {
+    let mut numbers = Numbers(Words::new(0xFA_25AD));
+    let mut sum = Checksum::new();
+    let mut fed = 0;
+    while fed < COUNT {
+        let toward = numbers.unit();
+        let half = 60.0 + 60.0 * numbers.signed().abs();
+        let depth = A::stored_depth(A::length(half), A::length(half), u16::MAX);
+        let place = A::place(&middle::<A>(toward), depth);
+        let from = toward.map(|c| c * 2.0 * half);
+        let lamp = numbers.three(|n| 127.9 * n.signed());
+        let way = [0, 1, 2].map(|i| lamp[i] - from[i]);
+        let distance = way.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let l = way.map(|c| c / distance);
+        let radius = 1.0 + 100.0 * numbers.signed().abs();
+        let along = distance * 1.2 * numbers.signed().abs();
+        // Every other one further from the way: squares of 64 bits may overflow.
+        let most = if fed % 2 == 0 {
+            1.2
+        } else {
+            6.0 * numbers.signed().abs()
+        };
+        let aside = numbers.unit().map(|c| c * most * radius);
+        let eye = [0, 1, 2].map(|i| (from[i] + along * l[i] + aside[i]) / -radius);
+        if eye.iter().any(|c| c.abs() >= 127.9) {
+            continue;
+        }
+        let sphere = Sphere::<A> {
+            eye: eye.map(A::length),
+            radius: A::length(radius),
+            material: 0,
+            extent: Extent::EVERYWHERE,
+        };
+        let lamp = lamp.map(A::length);
+        let hidden = A::hides(&sphere, &place, &direction::<A>(l), Some(&lamp));
+        sum.feed(u32::from(hidden));
         fed += 1;
     }
     sum.value()

@@ -24,8 +24,10 @@ pub const SCENE_BUGS: &[Bug] = &[
         "core/src/brdf/generalised_lambert.rs",
         "self.body.coloured(share, geometry)",
         "{ let _ = geometry; Rgb::grey(share) }",
-        &["scenes"],
-    ),
+        // A scene has colours in its gains.
+        &["golden"],
+    )
+    .of("core"),
     bug(
         "a ceramic's glaze is a lobe's",
         "scene/src/prepare.rs",
