@@ -138,6 +138,34 @@ fn the_projects_figures_are_read() {
     }
 }
 
+/// A glaze and another shape of a lobe are measured by themselves.
+#[test]
+fn materials_are_told_apart_by_their_fields() {
+    let best = |material: &str| {
+        run(&[
+            "advise",
+            "--core",
+            "cortex-m0plus",
+            "--max-error",
+            "0.75",
+            "--material",
+            material,
+        ])
+    };
+    let bare = "model = \"plastic\", albedo = 0.4, specular = 0.3, exponent = 25";
+    assert!(!first(&best(bare).output()).contains("index = "));
+    assert!(first(&best(&format!("{bare}, index = 1.6")).output()).contains("index = 1.5"));
+    for material in [
+        "model = \"generalised-lambert\", albedo = 0.6, smoothness = 0.8",
+        "model = \"metallic-paint\", metal = \"copper\", sharpness = 9",
+        "model = \"patch-metal\", metal = \"gold\", sharpness = 9",
+    ] {
+        assert!(first(&best(material).output()).contains("cycles (estimated"));
+    }
+    best("model = \"patch-metal\", metal = \"gold\", radius = 0.5")
+        .mistake(&["patch-metal with radius"]);
+}
+
 /// Finer tables are more exact, and what 16-bit directions cost shows.
 #[test]
 fn pixel_errors_tell_tables_and_directions_apart() {

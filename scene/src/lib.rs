@@ -38,7 +38,7 @@ pub use mesh::{
     AnyView, Obj, ObjError, ObjTriangle, PreparedView, Seen, SeenView, StoredNormals, encode,
     greatest_error,
 };
-pub use model::AnyModel;
+pub use model::{AnyModel, generalised_profile};
 pub use prepare::{Prepared, PreparedCoat, PreparedPart, camera_frame, half_pixel, plane_axes};
 pub use profile::Profile;
 pub use quality::{AnySamples, AnyShadows};

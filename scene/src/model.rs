@@ -339,8 +339,10 @@ fn generalised(smoothness: f64, clip: f64) -> exact::GeneralisedLambert {
     model
 }
 
-/// ξ/ξmax of generalised Lambert (4.59) over m².
-pub(crate) fn generalised_profile(smoothness: f64, clip: f64) -> SquareProfile {
+/// ξ/ξmax of generalised Lambert (4.59) over m², for a smoothness from 0 to 1
+/// and a clip of m from 1 to 1.9.
+#[must_use]
+pub fn generalised_profile(smoothness: f64, clip: f64) -> SquareProfile {
     let model = generalised(smoothness, clip);
     SquareProfile::new(
         |square| model.profile(square) / model.greatest_profile(),

@@ -64,7 +64,8 @@ impl SquareProfile {
     }
 
     /// The arguments of the core's constructor, in Rust.
-    pub(crate) fn code(&self) -> String {
+    #[must_use]
+    pub fn code(&self) -> String {
         format!("{:?}, {}", self.knots, self.inverse)
     }
 }

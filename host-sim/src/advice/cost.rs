@@ -50,6 +50,7 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
         ));
     }
     let (model, wanted) = kind(material);
+    let glazed = matches!(material, Material::Plastic { index: Some(_), .. });
     let mut best: Vec<(f64, Cost)> = Vec::new();
     for row in rows {
         let variant = text(row, "variant");
@@ -62,10 +63,14 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
             continue;
         }
         let measured = text(row, "parameters");
-        let number = |field: &str| {
-            row[field]
+        // Another shape of its lobe, or without its glaze, costs something else.
+        if field(&measured, wanted.0).is_none() || field(&measured, "index").is_some() != glazed {
+            continue;
+        }
+        let number = |name: &str| {
+            row[name]
                 .as_f64()
-                .ok_or_else(|| format!("a row without {field}"))
+                .ok_or_else(|| format!("a row without {name}"))
         };
         let cost = Cost {
             arithmetic: text(row, "arithmetic"),
@@ -87,7 +92,10 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
         }
     }
     if best.is_empty() {
-        return Err(format!("nothing was measured of {model} on {core}"));
+        let field = if glazed { "index" } else { wanted.0 };
+        return Err(format!(
+            "nothing was measured of {model} with {field} on {core}"
+        ));
     }
     Ok(best.into_iter().map(|(_, cost)| cost).collect())
 }
@@ -124,7 +132,6 @@ fn kind(material: &Material) -> (&'static str, (&'static str, f64)) {
         // Its cost is the same for all points.
         Material::PatchProfile { .. } => ("profile", ("points", 0.0)),
         Material::Metal { exponent, .. } => ("metal", ("exponent", *exponent)),
-        // Nobody has measured one of these: the caller says so.
         Material::PatchMetal {
             shape: PatchShape::Basic { radius },
             ..
@@ -137,21 +144,20 @@ fn kind(material: &Material) -> (&'static str, (&'static str, f64)) {
         Material::GeneralisedLambert { smoothness, .. } => {
             ("generalised-lambert", ("smoothness", *smoothness))
         }
-        Material::Plastic {
-            exponent,
-            index: None,
-            ..
-        } => ("plastic", ("exponent", *exponent)),
-        Material::Plastic { exponent, .. } => ("plastic with index", ("exponent", *exponent)),
+        Material::Plastic { exponent, .. } => ("plastic", ("exponent", *exponent)),
     }
 }
 
 /// How far a measured material's field is from the value that is wanted, as a
 /// ratio.
-fn distance(parameters: &str, (field, wanted): (&str, f64)) -> f64 {
-    let value = parameters
-        .split(", ")
-        .find_map(|part| part.strip_prefix(field)?.strip_prefix(" = "))
-        .and_then(|value| value.parse::<f64>().ok());
+fn distance(parameters: &str, (name, wanted): (&str, f64)) -> f64 {
+    let value = field(parameters, name).and_then(|value| value.parse::<f64>().ok());
     value.map_or(0.0, |value| (value.max(1e-3) / wanted.max(1e-3)).ln().abs())
+}
+
+/// What a material's field is given as; a list to its first comma.
+fn field<'a>(parameters: &'a str, name: &str) -> Option<&'a str> {
+    parameters
+        .split(", ")
+        .find_map(|part| part.strip_prefix(name)?.strip_prefix(" = "))
 }

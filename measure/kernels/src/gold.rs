@@ -1,6 +1,6 @@
 //! Gold's Fresnel curve.
 //!
-//! Made by `cargo run -p microbrdf-trade -- curve`; a test of that crate fails
+//! Made by `cargo run -p microbrdf-trade -- curve gold`; a test of that crate fails
 //! when it is out of date.
 
 use microbrdf::table::CosineCurve;

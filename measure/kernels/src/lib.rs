@@ -13,8 +13,10 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 mod call;
+mod glaze;
 mod gold;
 mod models;
+mod moon;
 pub mod plain;
 pub mod profile;
 pub mod sphere;

@@ -2,8 +2,8 @@
 
 use microbrdf::arithmetic::{Arithmetic, Micromath, Q15, Q31};
 use microbrdf::brdf::{
-    Brdf, Lambert, Metal, MetallicPhong, PModel, Patch, PatchExponential, PatchProfile, Phong,
-    Plastic, PowerModel, RetroPhong,
+    Brdf, GeneralisedLambert, Lambert, Metal, MetallicPaint, MetallicPhong, PModel, Patch,
+    PatchExponential, PatchMetal, PatchProfile, Phong, Plastic, PowerModel, RetroPhong,
 };
 use microbrdf::geometry::{ShadingFrame, World};
 use microbrdf::{Rgb, constant};
@@ -11,7 +11,9 @@ use microbrdf::{Rgb, constant};
 #[cfg(not(target_os = "none"))]
 use crate::call::Kernel;
 use crate::call::Light;
+use crate::glaze::GLAZE;
 use crate::gold::GOLD;
+use crate::moon;
 use crate::profile::{self, PROFILE};
 
 /// c_n = (n + 2)/2π (3.6).
@@ -159,6 +161,22 @@ macro_rules! all {
                     Rgb { r: share(0.6), g: share(0.2), b: share(0.1) }, Rgb::grey(share(0.3)), number(20.0))),
                 "plastic", "albedo = [0.6, 0.2, 0.1], specular = 0.3, exponent = 20", about 20.0,
                 c = 0.6 * core::f64::consts::FRAC_1_PI + 0.3 * lobe_peak(20.0);
+            colour ceramic_20: Plastic<A, Metal<A>> = constant!(Plastic::<A>::new(
+                    Rgb { r: share(0.6), g: share(0.2), b: share(0.1) }, Rgb::grey(share(0.3)), number(20.0)))
+                    .with_fresnel(GLAZE),
+                "plastic", "albedo = [0.6, 0.2, 0.1], specular = 0.3, exponent = 20, index = 1.5", about 20.0,
+                c = 0.6 * core::f64::consts::FRAC_1_PI + 0.3 * lobe_peak(20.0);
+            colour generalised_lambert: GeneralisedLambert<A> = GeneralisedLambert::new(
+                    constant!(Lambert::<A>::new(Rgb { r: share(0.6), g: share(0.2), b: share(0.1) })),
+                    moon::PROFILE, number(moon::PEAK)),
+                "generalised-lambert", "albedo = [0.6, 0.2, 0.1], smoothness = 1", about 0.5,
+                c = moon::PEAK;
+            colour patch_metal: PatchMetal<PatchExponential<A>> = PatchMetal::new(
+                    constant!(PatchExponential::<A>::new(number(4.0))), GOLD),
+                "patch-metal", "metal = \"gold\", sharpness = 4", about 2.0, c = PEAK_OF_SHARPNESS_4;
+            colour metallic_paint: MetallicPaint<A> = MetallicPaint::new(
+                    constant!(PatchExponential::<A>::new(number(4.0))), GOLD),
+                "metallic-paint", "metal = \"gold\", sharpness = 4", about 2.0, c = PEAK_OF_SHARPNESS_4;
             world world_metallic_phong_20: MetallicPhong<A> = LOBE_20,
                 "metallic-phong", "exponent = 20", about 20.0, c = lobe_peak(20.0);
             world world_gold_20: Metal<A> = Metal::new(LOBE_20, GOLD),

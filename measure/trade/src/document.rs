@@ -15,7 +15,7 @@ pub const CORES: [(&str, &str); 5] = [
 ];
 
 /// Models in their order, with a title.
-const MODELS: [(&str, &str); 14] = [
+const MODELS: [(&str, &str); 17] = [
     ("metallic-phong", "Metallic Phong"),
     ("metal", "Metal, three channels with Fresnel's factor"),
     ("patch", "Basic patch"),
@@ -24,7 +24,13 @@ const MODELS: [(&str, &str); 14] = [
     ("phong", "Reciprocal Phong, and the p-model"),
     ("retro-phong", "Retro-reflective metallic Phong"),
     ("lambert", "Lambert"),
-    ("plastic", "Plastic, three channels"),
+    ("generalised-lambert", "Generalised Lambert, three channels"),
+    ("plastic", "Plastic and ceramic, three channels"),
+    (
+        "patch-metal",
+        "Exponential patch with Fresnel's factor, three channels",
+    ),
+    ("metallic-paint", "Metallic paint, three channels"),
     ("srgb8", "Linear light to an 8-bit sRGB code, one channel"),
     ("rgb565", "Three channels of linear light to RGB565"),
     ("grey16", "A luminance to one of 16 greys"),

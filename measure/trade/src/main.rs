@@ -28,8 +28,11 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Print the Fresnel curve that the kernels hold as a constant
-    Curve,
+    /// Print a curve that the kernels hold as a constant
+    Curve {
+        /// Whose
+        of: curve::Of,
+    },
     /// Write the calls that an emulated core is to make
     Calls {
         /// Calls within the lobe for each kernel
@@ -111,8 +114,8 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<()> {
     match command {
-        Command::Curve => {
-            print!("{}", curve::gold());
+        Command::Curve { of } => {
+            print!("{}", of.source());
             Ok(())
         }
         Command::Calls {

@@ -62,11 +62,15 @@ fn every_kernel_is_in_the_document_s_figures_and_no_other() {
 }
 
 #[test]
-fn gold_is_what_a_scene_would_bake() {
-    assert!(
-        text("measure/kernels/src/gold.rs") == curve::gold(),
-        "cargo run -p microbrdf-trade -- curve > measure/kernels/src/gold.rs"
-    );
+fn curves_are_what_a_scene_would_bake() {
+    for of in curve::Of::ALL {
+        let path = format!("measure/kernels/src/{}.rs", of.file());
+        assert!(
+            text(&path) == of.source(),
+            "cargo run -p microbrdf-trade -- curve {} > {path}",
+            of.file()
+        );
+    }
 }
 
 #[test]
