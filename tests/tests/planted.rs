@@ -35,12 +35,13 @@ fn each_bug_names_tests_that_exist() {
     for bug in all() {
         assert!(!bug.tests.is_empty(), "{}", bug.name);
         for test in bug.tests {
-            let path = if *test == "lib" {
-                root().join(bug.package).join("src/lib.rs")
+            let file = |path: String| root().join(bug.package).join(path).is_file();
+            let exists = if *test == "lib" {
+                file("src/lib.rs".to_owned())
             } else {
-                root().join(bug.package).join(format!("tests/{test}.rs"))
+                file(format!("tests/{test}.rs")) || file(format!("tests/{test}/main.rs"))
             };
-            assert!(path.is_file(), "{}: {}", bug.name, path.display());
+            assert!(exists, "{}: {}/{test}", bug.name, bug.package);
         }
     }
 }

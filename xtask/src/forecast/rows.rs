@@ -34,6 +34,7 @@ impl Rows {
         let stem = self.scene.file_stem().unwrap_or_default();
         let name = format!("{}-{}", stem.to_string_lossy(), self.arithmetic);
         let folder = folder(layout);
+        fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
         let library = Library {
             package: "microbrdf-row",
             calls: folder.join(format!("{name}-calls.json")),
