@@ -174,6 +174,16 @@ fn lamps<A: Viewed>() -> u64 {
     sum.value()
 }
 
+/// A sphere from which the eye is `eye` radii away.
+fn ball<A: Viewed>(eye: [f64; 3], radius: f64) -> Sphere<A> {
+    Sphere {
+        eye: eye.map(A::length),
+        radius: A::length(radius),
+        material: 0,
+        extent: Extent::EVERYWHERE,
+    }
+}
+
 fn shadows<A: Viewed>() -> u64 {
     let mut numbers = Numbers(Words::new(0x5AD0));
     let mut sum = Checksum::new();
@@ -196,12 +206,7 @@ fn shadows<A: Viewed>() -> u64 {
         if eye.iter().any(|c| c.abs() >= 127.9) || past < 0.0 {
             continue;
         }
-        let sphere = Sphere::<A> {
-            eye: eye.map(A::length),
-            radius: A::length(radius),
-            material: 0,
-            extent: Extent::EVERYWHERE,
-        };
+        let sphere = ball::<A>(eye, radius);
         let l = direction::<A>(l);
         let mut bits = u32::from(A::hides(&sphere, &place, &l, None));
         if lamp.iter().all(|c| c.abs() < 127.9) {
@@ -243,12 +248,7 @@ fn far_shadows<A: Viewed>() -> u64 {
         if eye.iter().any(|c| c.abs() >= 127.9) {
             continue;
         }
-        let sphere = Sphere::<A> {
-            eye: eye.map(A::length),
-            radius: A::length(radius),
-            material: 0,
-            extent: Extent::EVERYWHERE,
-        };
+        let sphere = ball::<A>(eye, radius);
         let lamp = lamp.map(A::length);
         let hidden = A::hides(&sphere, &place, &direction::<A>(l), Some(&lamp));
         sum.feed(u32::from(hidden));

@@ -94,8 +94,8 @@ const GOALS: [Goal; 7] = [
               after it. 1 + L·V − 2(N·L)(N·V) would be quicker than its versine, but 14-bit \
               directions cancel there. Where L and V are the same for all pixels, \
               2(N·T)² + 2cos²θ(N·B)², T along L − V, B along L × V and θ half the angle between \
-              L and V, cancels nowhere and takes fewer products, but saves less than a tenth, \
-              as tried: root, ratio, table and palette remain.",
+              L and V, cancels nowhere and takes fewer products; root, ratio, table and \
+              palette remain.",
     },
 ];
 
