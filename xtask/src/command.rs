@@ -6,6 +6,23 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::failure::{During, Failure, Outcome};
+
+/// Builds one of this project's programs, showing what cargo does unless that is not wanted.
+pub fn build(mut cargo: Command, quiet: bool, program: &str) -> Outcome<()> {
+    let built = cargo
+        .args(quiet.then_some("--quiet"))
+        .stdin(Stdio::null())
+        .status()
+        .during(|| "starting cargo".to_string())?;
+    if built.success() {
+        return Ok(());
+    }
+    Err(Failure::incomplete(format!(
+        "{program} does not build (see above)"
+    )))
+}
+
 /// What a program left behind.
 #[derive(Debug, Clone, Default)]
 pub struct Finished {

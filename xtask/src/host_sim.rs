@@ -16,18 +16,8 @@ pub struct HostSim<'a> {
 impl<'a> HostSim<'a> {
     /// Builds it, showing what cargo does unless that is not wanted.
     pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
-        let built = cargo(layout, "build")
-            .args(quiet.then_some("--quiet"))
-            .stdin(Stdio::null())
-            .status()
-            .during(|| "starting cargo".to_string())?;
-        if built.success() {
-            Ok(Self { layout })
-        } else {
-            Err(Failure::incomplete(
-                "the host simulator does not build (see above)",
-            ))
-        }
+        command::build(cargo(layout, "build"), quiet, "the host simulator")?;
+        Ok(Self { layout })
     }
 
     /// `microbrdf ARGUMENTS…`, not yet started.

@@ -19,17 +19,12 @@ pub struct Program<'a> {
 impl<'a> Program<'a> {
     /// Builds it.
     pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
-        let built = cargo(layout, "build")
-            .args(quiet.then_some("--quiet"))
-            .stdin(Stdio::null())
-            .status()
-            .during(|| "starting cargo".to_string())?;
-        if built.success() {
-            return Ok(Self { layout });
-        }
-        Err(Failure::incomplete(
-            "the program of the forecasts does not build (see above)",
-        ))
+        command::build(
+            cargo(layout, "build"),
+            quiet,
+            "the program of the forecasts",
+        )?;
+        Ok(Self { layout })
     }
 
     /// Writes the small scenes; a list of them, each with `name`, `scene` and `stack`.

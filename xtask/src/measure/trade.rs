@@ -21,18 +21,15 @@ pub struct Trade<'a> {
 impl<'a> Trade<'a> {
     /// Builds it.
     pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
-        let built = cargo(layout, "build")
-            .args(quiet.then_some("--quiet"))
-            .stdin(Stdio::null())
-            .status()
-            .during(|| "starting cargo".to_string())?;
-        if built.success() {
-            let folder = super::folder(layout);
-            return Ok(Self { layout, folder });
-        }
-        Err(Failure::incomplete(
-            "the program of the trade tables does not build (see above)",
-        ))
+        command::build(
+            cargo(layout, "build"),
+            quiet,
+            "the program of the trade tables",
+        )?;
+        Ok(Self {
+            layout,
+            folder: super::folder(layout),
+        })
     }
 
     /// Writes what the kernels are to be called with, and their errors.
