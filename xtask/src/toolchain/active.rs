@@ -1,5 +1,6 @@
 //! The active toolchain: does it have the targets, and can rustup add them?
 
+use std::env;
 use std::path::Path;
 
 use super::Cross;
@@ -23,9 +24,9 @@ pub fn ready(runner: &dyn Runner, targets: &[&str]) -> Option<Cross> {
     Some(Cross::Active { version })
 }
 
-/// Whether rustup manages the active toolchain, so that it could add targets to it.
+/// Whether rustup manages the active toolchain, so that it could add targets to it, and is not told to install nothing by itself.
 pub fn from_rustup(runner: &dyn Runner) -> bool {
-    if !runner.has("rustup") {
+    if !runner.has("rustup") || is_off(env::var("RUSTUP_AUTO_INSTALL").ok().as_deref()) {
         return false;
     }
     let which = runner
@@ -40,9 +41,26 @@ pub fn from_rustup(runner: &dyn Runner) -> bool {
     }
 }
 
+/// Whether rustup's own setting of whether it installs by itself says no.
+fn is_off(setting: Option<&str>) -> bool {
+    setting == Some("0")
+}
+
 /// The line that adds the targets.
 pub fn add_line<'a>(targets: &[&'a str]) -> Vec<&'a str> {
     let mut line = vec!["rustup", "target", "add"];
     line.extend(targets);
     line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_off;
+
+    #[test]
+    fn rustup_may_install_unless_it_is_told_not_to() {
+        assert!(!is_off(None));
+        assert!(!is_off(Some("1")));
+        assert!(is_off(Some("0")));
+    }
 }
