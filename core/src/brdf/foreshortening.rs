@@ -38,13 +38,25 @@ impl<A: Arithmetic> Foreshortening<A> for Flat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Metallic;
 
+impl Metallic {
+    /// shape · cosΘL / cosΘmin, and cosΘmin, of one comparison.
+    #[inline]
+    pub(super) fn attenuated<A: Arithmetic>(
+        shape: A::Unit,
+        n_dot_l: A::Cosine,
+        n_dot_v: A::Cosine,
+    ) -> (A::Unit, A::Cosine) {
+        match A::ratio(n_dot_l, n_dot_v) {
+            None => (shape, n_dot_l),
+            Some(ratio) => (A::attenuate(shape, ratio), n_dot_v),
+        }
+    }
+}
+
 impl<A: Arithmetic> Foreshortening<A> for Metallic {
     #[inline]
     fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Unit {
-        match A::ratio(n_dot_l, n_dot_v) {
-            None => shape,
-            Some(ratio) => A::attenuate(shape, ratio),
-        }
+        Self::attenuated::<A>(shape, n_dot_l, n_dot_v).0
     }
 
     #[inline]

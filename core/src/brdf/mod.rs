@@ -8,6 +8,7 @@
 //! * reflected radiance for unit normal irradiance: f · cosΘL = c · ρ, with
 //!   the share ρ = shape · cosΘL / cosᵖΘmin, bounded by the shape for p ≤ 1.
 
+mod exposed_metal;
 mod foreshortening;
 mod generalised_lambert;
 mod lambert;
@@ -19,6 +20,7 @@ mod phong;
 mod plastic;
 mod tinted;
 
+pub use exposed_metal::ExposedMetal;
 pub use foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
 pub use generalised_lambert::GeneralisedLambert;
 pub use lambert::Lambert;

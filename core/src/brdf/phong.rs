@@ -85,6 +85,12 @@ impl Axis for Retro {
 }
 
 impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> PhongLobe<A, X, P> {
+    /// Its stored lobe cosⁿα.
+    #[inline]
+    pub(super) fn power(&self) -> &A::Power {
+        &self.power
+    }
+
     /// The same with another peak in sr⁻¹. For n < 2 the published constant
     /// divided by the greatest albedo conserves energy strictly.
     #[must_use]

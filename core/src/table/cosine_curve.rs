@@ -48,6 +48,31 @@ impl CosineCurve {
         if units < 256 { units as u16 } else { 256 }
     }
 
+    /// Red, green and blue at cosine `knot`/`cells`, for `cells` a power of two
+    /// to 256, with 15 fraction bits.
+    pub(crate) const fn at_knot(&self, knot: usize, cells: usize) -> [u32; 3] {
+        let units = knot * (256 / cells);
+        let (left, within) = if units < FINE_CELLS {
+            (units, 0)
+        } else {
+            let past = units - FINE_CELLS;
+            (FINE_CELLS + past / 4, past as u32 % 4)
+        };
+        let mut values = [0; 3];
+        let mut channel = 0;
+        while channel < 3 {
+            let from = self.entries[left][channel] as u32;
+            let to = if within == 0 {
+                from
+            } else {
+                self.entries[left + 1][channel] as u32
+            };
+            values[channel] = (from * (4 - within) + to * within + 2) / 4;
+            channel += 1;
+        }
+        values
+    }
+
     /// Red, green and blue at a cosine with 30 fraction bits; the result has
     /// 31. A cosine outside [0, 1] gets the nearest end.
     #[inline]

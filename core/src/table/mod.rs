@@ -2,6 +2,7 @@
 
 mod cosine_curve;
 mod cosine_power;
+mod exposed_curve;
 pub(crate) mod integer;
 mod profile_curve;
 pub(crate) mod reciprocal;
@@ -12,6 +13,7 @@ mod uniform;
 
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
 pub use cosine_power::CosinePowerTable;
+pub use exposed_curve::ExposedCurve;
 pub use profile_curve::{PROFILE_KNOTS, ProfileCurve};
 pub use scaled::ScaledTable;
 pub use square_curve::{SQUARE_KNOTS, SquareCurve};

@@ -123,18 +123,22 @@ impl<const KNOTS: usize> ScaledTable<KNOTS> {
     /// last cell.
     #[inline]
     pub(crate) fn at(&self, coordinate: u32) -> u32 {
+        self.within(coordinate).unwrap_or(0)
+    }
+
+    /// As [`Self::at`]; `None` beyond the last cell.
+    #[inline]
+    pub(crate) fn within(&self, coordinate: u32) -> Option<u32> {
         if coordinate > self.limit {
-            return 0;
+            return None;
         }
         let position = coordinate.wrapping_mul(self.step);
         let cell = (position >> (32 - Self::CELL_BITS)) as usize;
-        let (Some(&left), Some(&right)) = (self.knots.get(cell), self.knots.get(cell + 1)) else {
-            return 0;
-        };
+        let (&left, &right) = (self.knots.get(cell)?, self.knots.get(cell + 1)?);
         let within = (position >> (32 - Self::CELL_BITS - POSITION_BITS)) % (1 << POSITION_BITS);
         // Curves fall: the difference is not negative.
         let fall = left.wrapping_sub(right).wrapping_mul(within) >> POSITION_BITS;
-        left.wrapping_sub(fall) << (31 - ENTRY_BITS)
+        Some(left.wrapping_sub(fall) << (31 - ENTRY_BITS))
     }
 }
 

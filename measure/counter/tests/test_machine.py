@@ -32,14 +32,14 @@ def run(code: str, *arguments: int, target: str = "thumbv7m-none-eabi") -> Trace
 def test_registers_go_in_and_come_back() -> None:
     # adds r0, r1, r2; adds r0, r0, r3; bx lr
     trace = run("8818c0187047", 0, 1, 20, 300)
-    assert trace.results == [321]
+    assert trace.results[0] == 321
     assert [address - _FLASH for address in trace.addresses] == [0, 2, 4]
     assert trace.stack == 0
 
 
 def test_the_fifth_argument_lies_on_the_stack() -> None:
     # ldr r0, [sp]; bx lr
-    assert run("00987047", 1, 2, 3, 4, 5).results == [5]
+    assert run("00987047", 1, 2, 3, 4, 5).results[0] == 5
 
 
 def test_memory_goes_in_and_comes_back() -> None:
@@ -61,7 +61,7 @@ def test_a_loop_is_counted_each_time() -> None:
     code = "0021013101 38fcd108467047".replace(" ", "")
     core = machine(code, "thumbv6m-none-eabi")
     trace = core.call([5], [], 0)
-    assert trace.results == [5]
+    assert trace.results[0] == 5
     # The call; movs; five times adds, subs and bne, taken four times; mov; bx.
     assert cycles(core.code, trace, CortexM0(1)) == 4 + 1 + 5 * 2 + 4 * 3 + 1 + 1 + 3
 
@@ -71,7 +71,7 @@ def test_conditions_within_an_it_block(value: int, passed_over: int) -> None:
     # cmp r0, #0; ite eq; moveq r0, #7 (at 4); movne r0, #9 (at 6); bx lr
     core = machine("00280cbf072009207047")
     trace = core.call([value], [], 0)
-    assert trace.results == [9 if value else 7]
+    assert trace.results[0] == (9 if value else 7)
     executed = [address - _FLASH for address in trace.addresses]
     assert executed == [at for at in (0, 2, 4, 6, 8) if at != passed_over]
     # The call, `cmp`, `ite`, both moves, `bx`: the failed one takes one cycle, too.
@@ -93,7 +93,7 @@ def test_operands_of_a_division_are_kept() -> None:
     # udiv r0, r1, r2; bx lr
     core = machine("b1fbf2f07047")
     trace = core.call([0, 100, 7], [], 0)
-    assert trace.results == [14]
+    assert trace.results[0] == 14
     assert dict(trace.operands) == {(_FLASH, 100, 7): 1}
     # 100 has 7 bits, 7 has 3: a quotient of up to 5 bits.
     assert cycles(core.code, trace, CortexM3()) == 3 + (4 + 2) + 3
@@ -102,7 +102,7 @@ def test_operands_of_a_division_are_kept() -> None:
 def test_operands_of_a_long_multiply_are_kept() -> None:
     # umull r0, r1, r2, r3; bx lr
     trace = run("a2fb03017047", 0, 0, 0x10000, 3)
-    assert trace.results == [0x30000]
+    assert trace.results[0] == 0x30000
     assert dict(trace.operands) == {(_FLASH, 0x10000, 3): 1}
 
 

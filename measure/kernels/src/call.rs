@@ -48,6 +48,8 @@ pub enum Call {
     ShortGrey(extern "C" fn(Short, Short) -> u32),
     /// As [`Self::Colour`], with components of 16 bits.
     ShortColour(extern "C" fn(Short, Short, &mut Light)),
+    /// As [`Self::ShortColour`], to three channels of 16 bits in two registers.
+    ShortPacked(extern "C" fn(Short, Short) -> u64),
     /// As [`Self::World`], with components of 16 bits.
     ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
     /// A number to a number.
@@ -110,6 +112,18 @@ impl Kernel {
         matches!(self.call, Call::World(_) | Call::ShortWorld(_))
     }
 
+    /// The linear light of a call's results, 24 fraction bits: of 16 bits the
+    /// middle of a step.
+    #[must_use]
+    pub fn light(&self, results: &[u32]) -> Vec<u32> {
+        match (self.call, results) {
+            (Call::ShortPacked(_), &[first, second]) => [first, first >> 16, second]
+                .map(|channel| (channel & 0xFFFF) << 8 | 0x80)
+                .to_vec(),
+            _ => results.to_vec(),
+        }
+    }
+
     /// Calls the kernel here, and says how an emulator would call it with its
     /// memory at `base`.
     #[must_use]
@@ -141,6 +155,13 @@ impl Kernel {
                 let words = [l, v].map(Short::words).concat();
                 ([words, vec![base]].concat(), Vec::new(), light.to_vec())
             }
+            Call::ShortPacked(function) => {
+                let [l, v] = [*l, *v].map(Short::new);
+                let words = [l, v].map(Short::words).concat();
+                let packed = function(l, v);
+                let result = vec![packed as u32, (packed >> 32) as u32];
+                (words, Vec::new(), result)
+            }
             Call::ShortWorld(function) => {
                 let [n, l, v] = input.vectors.map(Short::new);
                 function(n, l, v, &mut light);
@@ -152,7 +173,7 @@ impl Kernel {
         Run {
             arguments,
             memory,
-            in_memory: results.len() > 1,
+            in_memory: results.len() > 1 && !matches!(self.call, Call::ShortPacked(_)),
             results,
         }
     }

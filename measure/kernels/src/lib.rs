@@ -13,6 +13,7 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 mod call;
+mod exposed;
 mod glaze;
 mod gold;
 mod models;
@@ -31,14 +32,14 @@ pub use registry::kernels;
 #[cfg(not(target_os = "none"))]
 mod registry {
     use crate::call::Kernel;
-    use crate::{models, plain, sphere, steps};
+    use crate::{exposed, models, plain, sphere, steps};
 
     /// Every kernel.
     pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         [
             models::KERNELS,
             plain::KERNELS,
-            &[steps::KERNELS, sphere::KERNELS],
+            &[exposed::KERNELS, steps::KERNELS, sphere::KERNELS],
         ]
         .into_iter()
         .flatten()

@@ -17,7 +17,7 @@ use crate::moon;
 use crate::profile::{self, PROFILE};
 
 /// c_n = (n + 2)/2π (3.6).
-const fn lobe_peak(n: f64) -> f64 {
+pub(crate) const fn lobe_peak(n: f64) -> f64 {
     (n + 2.0) * core::f64::consts::FRAC_1_PI / 2.0
 }
 

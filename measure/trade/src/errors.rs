@@ -115,8 +115,8 @@ fn over(subject: &Subject, name: &str, pairs: &[Pair]) -> Errors {
     let mut tally = Tally::new(name);
     for input in subject.inputs(pairs) {
         let exact = subject.codes(&input);
-        let light = subject.kernel.run(&input, 0).results;
-        for (linear, exact) in light.into_iter().zip(exact) {
+        let results = subject.kernel.run(&input, 0).results;
+        for (linear, exact) in subject.kernel.light(&results).into_iter().zip(exact) {
             tally.add(srgb8(linear), exact);
         }
     }

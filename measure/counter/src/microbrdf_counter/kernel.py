@@ -41,7 +41,7 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
             wanted = call["results"]
             count = len(wanted) if call["in_memory"] else 0
             trace = machine.call(call["arguments"], call["memory"], count)
-            if trace.results != wanted:
+            if trace.results[: len(wanted)] != wanted:
                 raise Differs(
                     f"{calls['kernel']} for {target} gives {trace.results} for "
                     f"{call['arguments']} {call['memory']}, the host {wanted}"

@@ -101,7 +101,7 @@ class Machine:
         Args:
             arguments: Words of the arguments: four in registers, the rest on the stack.
             memory: Words from ``BASE`` on.
-            in_memory: Words that come back behind ``memory``; 0 for one in the first register.
+            in_memory: Words that come back behind ``memory``; 0 for the first two registers.
         """
         uc = self._uc
         self._trace = Trace()
@@ -131,7 +131,7 @@ class Machine:
                 int.from_bytes(back[i : i + 4], "little") for i in range(0, len(back), 4)
             ]
         else:
-            trace.results = [uc.reg_read(_REGISTERS["r0"])]
+            trace.results = [uc.reg_read(_REGISTERS[name]) for name in ("r0", "r1")]
         return trace
 
     def _depth(self, trace: Trace) -> int | None:

@@ -9,7 +9,7 @@
 // Standard input, a line each, numbers in hexadecimal:
 //   load ADDRESS WORD…            words of the image
 //   call FUNCTION ARGUMENTS… / MEMORY… / COUNT
-// A call prints: cycles, instructions, a0, bytes of stack, COUNT words behind MEMORY.
+// A call prints: cycles, instructions, a0, a1, bytes of stack, COUNT words behind MEMORY.
 
 #include <cstdint>
 #include <iostream>
@@ -28,7 +28,7 @@ constexpr uint32_t kRam = 0x20000000, kStackTop = kRam + 0x20000, kPort = 0x4000
 constexpr uint64_t kLimit = 50'000'000;
 
 // Registers by their numbers.
-enum { zero = 0, ra = 1, sp = 2, t0 = 5, t1 = 6, s0 = 8, s1 = 9, a0 = 10, s2 = 18, s3 = 19, s4 = 20, s5 = 21 };
+enum { zero = 0, ra = 1, sp = 2, t0 = 5, t1 = 6, s0 = 8, s1 = 9, a0 = 10, a1 = 11, s2 = 18, s3 = 19, s4 = 20, s5 = 21 };
 
 uint32_t load(int rd, int base, int at) { return at << 20 | base << 15 | 2 << 12 | rd << 7 | 0x03; }
 uint32_t store(int rs, int base, int at) {
@@ -42,7 +42,7 @@ constexpr uint32_t kCycles = 0xB00, kRetired = 0xB02;
 // Words of the port, by their offsets: what the program takes …
 constexpr int kArguments = 0, kStack = 32, kFunction = 36;
 // … and what it gives; the last ends the call.
-constexpr int kResult = 64, kGiven = 68, kDone = 92;
+constexpr int kResult = 64, kSecond = 68, kGiven = 72, kDone = 96;
 
 std::vector<uint32_t> program() {
   std::vector<uint32_t> code;
@@ -62,6 +62,7 @@ std::vector<uint32_t> program() {
   // The function may have used t0.
   code.push_back(kPort | t0 << 7 | 0x37);
   code.push_back(store(a0, t0, kResult));
+  code.push_back(store(a1, t0, kSecond));
   const int given[] = {s0, s1, s2, s3, s4, s5};
   for (int i = 0; i < 6; i++) code.push_back(store(given[i], t0, kGiven + 4 * i));
   const uint32_t back = static_cast<uint32_t>(4 * again - 4 * code.size());
@@ -211,7 +212,7 @@ int main() {
     // Beside the function's own: two readings before it, the call, one after it.
     const uint32_t retired = machine.given(kGiven + 12) - machine.given(kGiven + 8) - 4;
     std::cout << cycles << ' ' << retired << ' ' << machine.given(kResult) << ' '
-              << machine.stack();
+              << machine.given(kSecond) << ' ' << machine.stack();
     for (uint32_t i = 0; i < count[0]; i++)
       std::cout << ' ' << machine.read(kRam + 4 * (memory.size() + i));
     std::cout << std::endl;

@@ -30,7 +30,7 @@ def measure(program: Path, path: Path, calls: dict[str, Any]) -> dict[str, Any]:
                 wanted = call["results"]
                 count = len(wanted) if call["in_memory"] else 0
                 done = core.call(call["arguments"], call["memory"], count)
-                if done.results != wanted:
+                if done.results[: len(wanted)] != wanted:
                     raise Differs(
                         f"{calls['kernel']} on Ibex gives {done.results} for "
                         f"{call['arguments']} {call['memory']}, the host {wanted}"

@@ -80,7 +80,7 @@ class Call:
         cycles: From the call to the return, both included.
         instructions: The function's own.
         stack: Bytes of stack that were written.
-        results: The first register, or the words in memory.
+        results: The first two registers, or the words in memory.
     """
 
     cycles: int
@@ -104,5 +104,5 @@ class Ibex(Bench):
     def call(self, arguments: list[int], memory: list[int], in_memory: int) -> Call:
         """Calls the function: up to eight words in registers, as a compiler passes them."""
         answer = self.ask(self._entry, arguments, memory, in_memory)
-        cycles, instructions, result, stack, *words = map(int, answer.split())
-        return Call(cycles, instructions, stack, words if in_memory else [result])
+        cycles, instructions, first, second, stack, *words = map(int, answer.split())
+        return Call(cycles, instructions, stack, words if in_memory else [first, second])

@@ -62,7 +62,7 @@ function call(text) {
   }
   const results = [];
   for (let i = 0; i < count[0]; i++) results.push(chip.readUint32(back + 4 * i) >>> 0);
-  return JSON.stringify({ results: count[0] ? results : [core.registers[0]], addresses, cycles });
+  return JSON.stringify({ results: count[0] ? results : [...core.registers.slice(0, 2)], addresses, cycles });
 }
 
 function step(text) {

@@ -84,7 +84,7 @@ def compare(
         count = len(wanted) if call["in_memory"] else 0
         trace = machine.call(call["arguments"], call["memory"], count)
         other = rp2040.call(image, call["arguments"], call["memory"], count)
-        if other.results != wanted or other.addresses != trace.addresses:
+        if other.results[: len(wanted)] != wanted or other.addresses != trace.addresses:
             raise Differs(f"rp2040js gives {other.results}, or takes another way; not {wanted}")
         compared.calls += 1
         here = steps(machine.code, trace, timing)
