@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
-use super::short::{FACTOR, scale};
+use super::short::{FACTOR, scale, scale_by_half};
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -111,7 +111,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     /// 29 fraction bits.
     type Versine = u32;
     type Unit = U1F31;
-    /// 32 fraction bits, of which 16 count: below 1.
+    /// 16 fraction bits: below 1.
     type Ratio = u32;
     type Scale = U32F32;
     type Radiance = U32F32;
@@ -242,7 +242,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     /// Truncates: off by less than 2⁻³¹.
     #[inline]
     fn attenuate(share: U1F31, ratio: u32) -> U1F31 {
-        U1F31::from_bits(scale(share.to_bits(), ratio))
+        U1F31::from_bits(scale_by_half(share.to_bits(), ratio))
     }
 
     /// The cosine is taken to 15 fraction bits.

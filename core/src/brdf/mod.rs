@@ -8,7 +8,8 @@
 //! * reflected radiance for unit normal irradiance: f · cosΘL = c · ρ, with
 //!   the share ρ = shape · cosΘL / cosᵖΘmin, bounded by the shape for p ≤ 1.
 
-mod exposed_metal;
+mod exposed;
+mod exposed_patch;
 mod foreshortening;
 mod generalised_lambert;
 mod lambert;
@@ -20,7 +21,8 @@ mod phong;
 mod plastic;
 mod tinted;
 
-pub use exposed_metal::ExposedMetal;
+pub use exposed::{Exposed, ExposedMetal, ExposedPhong, Exposing};
+pub use exposed_patch::ExposedPatch;
 pub use foreshortening::{Flat, Foreshortening, Metallic, PowerModel};
 pub use generalised_lambert::GeneralisedLambert;
 pub use lambert::Lambert;

@@ -74,6 +74,14 @@ macro_rules! in_fixed_point {
 in_fixed_point!(Q31);
 in_fixed_point!(Q15);
 
+impl<A: Arithmetic> Patch<A> {
+    /// Whether V lies within the disc: m ≤ R.
+    #[inline]
+    pub(super) fn covers(&self, geometry: &impl Geometry<A>) -> bool {
+        geometry.separation() <= self.radius_squared
+    }
+}
+
 impl<A: Arithmetic> Shape for Patch<A> {
     type Arithmetic = A;
     type Foreshortening = Flat;
@@ -90,7 +98,6 @@ impl<A: Arithmetic> Shape for Patch<A> {
 
     #[inline]
     fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
-        let inside = geometry.separation() <= self.radius_squared;
-        if inside { A::ONE } else { A::ZERO }
+        if self.covers(geometry) { A::ONE } else { A::ZERO }
     }
 }

@@ -69,6 +69,22 @@ impl Palette565 {
             .get(cell as usize)
             .unwrap_or(&self.codes[CELLS - 1])
     }
+
+    /// The code at light of 16 bits, as [`ExposedCurve`] gives it: cells are no
+    /// finer than its steps.
+    ///
+    /// [`ExposedCurve`]: crate::table::ExposedCurve
+    #[inline]
+    #[must_use]
+    pub fn at_short(&self, light: u16) -> u16 {
+        let light = u32::from(light);
+        let cell = if light < DARK_CELLS << (DARK_SHIFT - 8) {
+            light >> (DARK_SHIFT - 8)
+        } else {
+            (light >> (LIGHT_SHIFT - 8)) + SKIPPED
+        };
+        self.codes[cell as usize]
+    }
 }
 
 /// `channel` · `light`.

@@ -3,6 +3,8 @@
 mod cosine_curve;
 mod cosine_power;
 mod exposed_curve;
+mod exposed_gain;
+mod exposure;
 pub(crate) mod integer;
 mod profile_curve;
 pub(crate) mod reciprocal;
@@ -14,7 +16,9 @@ mod uniform;
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
 pub use cosine_power::CosinePowerTable;
 pub use exposed_curve::ExposedCurve;
+pub use exposed_gain::ExposedGain;
 pub use profile_curve::{PROFILE_KNOTS, ProfileCurve};
+pub(crate) use scaled::ENTRY_BITS;
 pub use scaled::ScaledTable;
 pub use square_curve::{SQUARE_KNOTS, SquareCurve};
 pub use uniform::UniformTable;

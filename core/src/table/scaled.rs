@@ -7,7 +7,7 @@ use super::integer::{ONE, exp_neg, power_of_one_minus, round_to, times};
 const COORDINATE_BITS: u32 = 29;
 /// Fraction bits of an entry. With 32 cells or more a curve falls by less than
 /// 0.44 over one, so that the product with a position has 32 bits.
-const ENTRY_BITS: u32 = 25;
+pub(crate) const ENTRY_BITS: u32 = 25;
 /// Bits of the position within a cell.
 const POSITION_BITS: u32 = 8;
 /// −ln 2⁻²⁶: the curve ends where half an entry's step is left.
@@ -123,12 +123,13 @@ impl<const KNOTS: usize> ScaledTable<KNOTS> {
     /// last cell.
     #[inline]
     pub(crate) fn at(&self, coordinate: u32) -> u32 {
-        self.within(coordinate).unwrap_or(0)
+        self.entry_at(coordinate).unwrap_or(0) << (31 - ENTRY_BITS)
     }
 
-    /// As [`Self::at`]; `None` beyond the last cell.
+    /// As [`Self::at`], with an entry's fraction bits; `None` beyond the last
+    /// cell.
     #[inline]
-    pub(crate) fn within(&self, coordinate: u32) -> Option<u32> {
+    pub(crate) fn entry_at(&self, coordinate: u32) -> Option<u32> {
         if coordinate > self.limit {
             return None;
         }
@@ -138,7 +139,7 @@ impl<const KNOTS: usize> ScaledTable<KNOTS> {
         let within = (position >> (32 - Self::CELL_BITS - POSITION_BITS)) % (1 << POSITION_BITS);
         // Curves fall: the difference is not negative.
         let fall = left.wrapping_sub(right).wrapping_mul(within) >> POSITION_BITS;
-        Some(left.wrapping_sub(fall) << (31 - ENTRY_BITS))
+        Some(left.wrapping_sub(fall))
     }
 }
 

@@ -50,8 +50,14 @@ pub enum Call {
     ShortColour(extern "C" fn(Short, Short, &mut Light)),
     /// As [`Self::ShortColour`], to three channels of 16 bits in two registers.
     ShortPacked(extern "C" fn(Short, Short) -> u64),
+    /// One channel of that.
+    ShortSingle(extern "C" fn(Short, Short) -> u32),
+    /// As [`Self::ShortWorld`], to such channels.
+    ShortWorldPacked(extern "C" fn(Short, Short, Short) -> u64),
     /// As [`Self::World`], with components of 16 bits.
     ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
+    /// The upper 16 of a number's 24 bits to a number.
+    Half(extern "C" fn(u16) -> u32),
     /// A number to a number.
     Number(extern "C" fn(u32) -> u32),
 }
@@ -109,7 +115,10 @@ impl Kernel {
     /// Whether the kernel takes N beside L and V.
     #[must_use]
     pub fn takes_normal(&self) -> bool {
-        matches!(self.call, Call::World(_) | Call::ShortWorld(_))
+        matches!(
+            self.call,
+            Call::World(_) | Call::ShortWorld(_) | Call::ShortWorldPacked(_)
+        )
     }
 
     /// The linear light of a call's results, 24 fraction bits: of 16 bits the
@@ -117,9 +126,10 @@ impl Kernel {
     #[must_use]
     pub fn light(&self, results: &[u32]) -> Vec<u32> {
         match (self.call, results) {
-            (Call::ShortPacked(_), &[first, second]) => [first, first >> 16, second]
-                .map(|channel| (channel & 0xFFFF) << 8 | 0x80)
-                .to_vec(),
+            (Call::ShortPacked(_) | Call::ShortWorldPacked(_), &[first, second]) => {
+                [first, first >> 16, second].map(middle).to_vec()
+            }
+            (Call::ShortSingle(_), &[only]) => vec![middle(only)],
             _ => results.to_vec(),
         }
     }
@@ -158,9 +168,17 @@ impl Kernel {
             Call::ShortPacked(function) => {
                 let [l, v] = [*l, *v].map(Short::new);
                 let words = [l, v].map(Short::words).concat();
-                let packed = function(l, v);
-                let result = vec![packed as u32, (packed >> 32) as u32];
-                (words, Vec::new(), result)
+                (words, Vec::new(), halves(function(l, v)))
+            }
+            Call::ShortSingle(function) => {
+                let [l, v] = [*l, *v].map(Short::new);
+                let words = [l, v].map(Short::words).concat();
+                (words, Vec::new(), vec![function(l, v)])
+            }
+            Call::ShortWorldPacked(function) => {
+                let [n, l, v] = input.vectors.map(Short::new);
+                let words = [n, l, v].map(Short::words).concat();
+                (words, Vec::new(), halves(function(n, l, v)))
             }
             Call::ShortWorld(function) => {
                 let [n, l, v] = input.vectors.map(Short::new);
@@ -168,13 +186,29 @@ impl Kernel {
                 let words = [n, l, v].map(Short::words).concat();
                 ([words, vec![base]].concat(), Vec::new(), light.to_vec())
             }
+            Call::Half(function) => {
+                let half = (n[0] >> 8).min(0xFFFF);
+                (vec![half], Vec::new(), vec![function(half as u16)])
+            }
             Call::Number(function) => (vec![n[0]], Vec::new(), vec![function(n[0])]),
         };
         Run {
             arguments,
             memory,
-            in_memory: results.len() > 1 && !matches!(self.call, Call::ShortPacked(_)),
+            in_memory: results.len() > 2,
             results,
         }
     }
+}
+
+/// The middle of a step of 16 bits, with 24.
+#[cfg(not(target_os = "none"))]
+fn middle(channel: u32) -> u32 {
+    (channel & 0xFFFF) << 8 | 0x80
+}
+
+/// The words of a result in two registers.
+#[cfg(not(target_os = "none"))]
+fn halves(packed: u64) -> Vec<u32> {
+    vec![packed as u32, (packed >> 32) as u32]
 }

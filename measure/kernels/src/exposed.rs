@@ -1,33 +1,41 @@
-//! Metals with a light's exposure in their curve.
+//! Lobes with a light's gain in their tables: light of 16 bits, in registers.
 
 use microbrdf::arithmetic::Q15;
-use microbrdf::brdf::{ExposedMetal, MetallicPhong};
-use microbrdf::geometry::ShadingFrame;
+use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
+use microbrdf::fixed::types::U32F32;
+use microbrdf::geometry::{ShadingFrame, World};
 use microbrdf::{Rgb, constant};
 
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
 use crate::gold::GOLD;
 use crate::models::lobe_peak;
-use crate::ways::q15::{Vector, direction, number};
+use crate::ways::q15::{Vector, direction, number, radius};
+
+const LOBE_20: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(20.0)));
+const LOBE_500: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(500.0)));
+const DISC: Patch<Q15> = constant!(Patch::<Q15>::new(radius(0.3)));
+/// 1/(πR²) of that.
+const DISC_PEAK: f64 = core::f64::consts::FRAC_1_PI / 0.09;
+
+const fn grey(k: f64) -> Rgb<U32F32> {
+    Rgb::grey(number(k))
+}
+
+fn packed(light: Option<Rgb<u16>>) -> u64 {
+    let Some(light) = light else { return 0 };
+    u64::from(light.r) | u64::from(light.g) << 16 | u64::from(light.b) << 32
+}
 
 macro_rules! exposed {
-    ($($module:ident $symbol:literal $n:literal $fields:literal $exposure:literal $k:expr;)+) => {
+    ($($way:ident $module:ident $symbol:literal: $type:ty = $model:expr,
+       $name:literal $fields:literal about $width:literal, $exposure:literal $k:expr;)+) => {
         $(mod $module {
             use super::*;
 
-            const LOBE: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number($n)));
-            static MODEL: ExposedMetal =
-                constant!(ExposedMetal::new(LOBE, &GOLD, Rgb::grey(number($k))));
+            static MODEL: $type = constant!($model);
 
-            #[doc = $symbol]
-            #[allow(unsafe_code)]
-            #[unsafe(export_name = $symbol)]
-            pub extern "C" fn shade(l: Vector<'_>, v: Vector<'_>) -> u64 {
-                let pair = ShadingFrame::new(direction(l), direction(v));
-                let light = MODEL.shade(&pair);
-                u64::from(light.r) | u64::from(light.g) << 16 | u64::from(light.b) << 32
-            }
+            shade! { $way $symbol }
         })+
 
         /// What they are.
@@ -35,20 +43,84 @@ macro_rules! exposed {
         pub(crate) const KERNELS: &[Kernel] = &[$(Kernel {
             name: $symbol,
             arithmetic: "q15",
-            variant: "core, 129 knots, exposed curve of 64 cells",
-            model: "metal",
+            variant: variant!($way),
+            model: $name,
             fields: $fields,
-            width: $n,
+            width: $width,
             exposure: $exposure,
             k: $k,
-            call: Call::ShortPacked($module::shade),
+            call: call!($way $module),
         }),+];
     };
 }
 
+macro_rules! shade {
+    (frame $symbol:literal) => {
+        #[doc = $symbol]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(l: Vector<'_>, v: Vector<'_>) -> u64 {
+            packed(MODEL.light(&ShadingFrame::new(direction(l), direction(v))))
+        }
+    };
+    (grey $symbol:literal) => {
+        #[doc = $symbol]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(l: Vector<'_>, v: Vector<'_>) -> u32 {
+            u32::from(MODEL.shade(&ShadingFrame::new(direction(l), direction(v))).r)
+        }
+    };
+    (world $symbol:literal) => {
+        #[doc = $symbol]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(n: Vector<'_>, l: Vector<'_>, v: Vector<'_>) -> u64 {
+            packed(MODEL.light(&World::new(direction(n), direction(l), direction(v))))
+        }
+    };
+}
+
+#[cfg(not(target_os = "none"))]
+macro_rules! call {
+    (frame $module:ident) => {
+        Call::ShortPacked($module::shade)
+    };
+    (grey $module:ident) => {
+        Call::ShortSingle($module::shade)
+    };
+    (world $module:ident) => {
+        Call::ShortWorldPacked($module::shade)
+    };
+}
+
+#[cfg(not(target_os = "none"))]
+macro_rules! variant {
+    (world) => {
+        "world space, core, 129 knots, gain in the table"
+    };
+    ($other:ident) => {
+        "core, 129 knots, gain in the table"
+    };
+}
+
 exposed! {
-    gold_20_k1 "q15_exposed_gold_20_k1" 20.0 "metal = \"gold\", exponent = 20" "1" 1.0;
-    gold_20_kc "q15_exposed_gold_20_kc" 20.0 "metal = \"gold\", exponent = 20" "c" lobe_peak(20.0);
-    gold_500_k1 "q15_exposed_gold_500_k1" 500.0 "metal = \"gold\", exponent = 500" "1" 1.0;
-    gold_500_kc "q15_exposed_gold_500_kc" 500.0 "metal = \"gold\", exponent = 500" "c" lobe_peak(500.0);
+    frame gold_20_k1 "q15_exposed_gold_20_k1": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(1.0)),
+        "metal" "metal = \"gold\", exponent = 20" about 20.0, "1" 1.0;
+    frame gold_20_kc "q15_exposed_gold_20_kc": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(lobe_peak(20.0))),
+        "metal" "metal = \"gold\", exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    frame gold_500_k1 "q15_exposed_gold_500_k1": ExposedMetal = ExposedMetal::new(LOBE_500, &GOLD, grey(1.0)),
+        "metal" "metal = \"gold\", exponent = 500" about 500.0, "1" 1.0;
+    frame gold_500_kc "q15_exposed_gold_500_kc": ExposedMetal = ExposedMetal::new(LOBE_500, &GOLD, grey(lobe_peak(500.0))),
+        "metal" "metal = \"gold\", exponent = 500" about 500.0, "c" lobe_peak(500.0);
+    grey patch_k1 "q15_exposed_patch_k1": ExposedPatch = ExposedPatch::new(DISC, grey(1.0)),
+        "patch" "radius = 0.3" about 11.1, "1" 1.0;
+    grey patch_kc "q15_exposed_patch_kc": ExposedPatch = ExposedPatch::new(DISC, grey(DISC_PEAK)),
+        "patch" "radius = 0.3" about 11.1, "c" DISC_PEAK;
+    world phong_20_k1 "q15_exposed_world_metallic_phong_20_k1": ExposedPhong = ExposedPhong::new(LOBE_20, grey(1.0)),
+        "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
+    world phong_20_kc "q15_exposed_world_metallic_phong_20_kc": ExposedPhong = ExposedPhong::new(LOBE_20, grey(lobe_peak(20.0))),
+        "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    world gold_20_kc_world "q15_exposed_world_gold_20_kc": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(lobe_peak(20.0))),
+        "metal" "metal = \"gold\", exponent = 20" about 20.0, "c" lobe_peak(20.0);
 }

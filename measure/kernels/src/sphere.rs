@@ -2,16 +2,15 @@
 //! display's own code.
 
 use fixed::types::I2F14;
-use microbrdf::arithmetic::{Arithmetic, Q15};
-use microbrdf::brdf::{Brdf, MetallicPhong};
-use microbrdf::constant;
+use microbrdf::arithmetic::Q15;
+use microbrdf::brdf::{ExposedPhong, MetallicPhong};
+use microbrdf::{Rgb, constant};
 use microbrdf::geometry::{Direction, World};
 use microbrdf::shade::{LINEAR_ONE, Palette565};
-use microbrdf::{Rgb, arithmetic::Gain15};
 
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
-use crate::ways::q15::{gain, number};
+use crate::ways::q15::number;
 
 /// The light's direction, 14 fraction bits.
 pub const LIGHT: [i16; 3] = [-6000, 8000, 12_978];
@@ -25,8 +24,7 @@ type A = Q15;
 /// A point of the picture plane in two halves of a word, 14 fraction bits of
 /// the radius each, x in the lower; black beside the sphere.
 #[inline(always)]
-fn pixel(model: &MetallicPhong<A>, point: u32) -> u32 {
-    const GAIN: Rgb<Gain15> = Rgb::grey(gain(1.0));
+fn pixel(model: &ExposedPhong, point: u32) -> u32 {
     let direction = |[x, y, z]: [i16; 3]| {
         Direction::new(
             I2F14::from_bits(x),
@@ -39,14 +37,16 @@ fn pixel(model: &MetallicPhong<A>, point: u32) -> u32 {
         return 0;
     };
     let frame = World::new(normal, direction(LIGHT), direction([0, 0, 1 << 14]));
-    let [light, ..] = A::linear(model.shade(&GAIN, &frame)).to_raw();
-    u32::from(PALETTE.at(light))
+    u32::from(PALETTE.at_short(model.shade(&frame).r))
 }
 
 macro_rules! spheres {
     ($($function:ident $symbol:literal $model:ident $n:literal $fields:literal)+) => {
         $(
-            static $model: MetallicPhong<A> = constant!(MetallicPhong::<A>::new(number($n)));
+            static $model: ExposedPhong = constant!(ExposedPhong::new(
+                constant!(MetallicPhong::<A>::new(number($n))),
+                Rgb::grey(number(1.0)),
+            ));
 
             #[doc = $symbol]
             #[allow(unsafe_code)]

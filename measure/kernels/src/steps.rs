@@ -1,7 +1,7 @@
 //! Single steps: dot products, and the encoding of one channel.
 
 use microbrdf::arithmetic::Arithmetic;
-use microbrdf::shade::{Linear, grey16, grey16_nearest, srgb8, srgb8_quick};
+use microbrdf::shade::{Linear, grey16, grey16_nearest, srgb8, srgb8_direct, srgb8_quick};
 
 use crate::call::Light;
 #[cfg(not(target_os = "none"))]
@@ -19,6 +19,20 @@ pub extern "C" fn srgb(linear: u32) -> u32 {
 #[unsafe(export_name = "srgb8_quick")]
 pub extern "C" fn srgb_quick(linear: u32) -> u32 {
     u32::from(srgb8_quick(linear))
+}
+
+/// Light of 16 bits in one look-up without a decision.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "srgb8_direct")]
+pub extern "C" fn srgb_direct(light: u16) -> u32 {
+    u32::from(srgb8_direct(light))
+}
+
+/// What a function costs that gives back what it is given.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "nothing")]
+pub extern "C" fn nothing(number: u32) -> u32 {
+    number
 }
 
 /// A grey pixel to RGB565.
@@ -95,6 +109,20 @@ pub(crate) const KERNELS: &[Kernel] = &[
         "core, one look-up",
         "srgb8",
         Call::Number(srgb_quick),
+    ),
+    step(
+        "srgb8_direct",
+        "integer",
+        "core, of 16 bits, one look-up",
+        "srgb8",
+        Call::Half(srgb_direct),
+    ),
+    step(
+        "nothing",
+        "integer",
+        "a call and its frame alone",
+        "nothing",
+        Call::Number(nothing),
     ),
     step("rgb565", "integer", "core", "rgb565", Call::Number(packed)),
     step(

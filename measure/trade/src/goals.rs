@@ -53,7 +53,7 @@ const GOALS: [Goal; 7] = [
     },
     Goal {
         title: "basic patch",
-        kernels: &["q15_patch_k1", "q15_patch_kc"],
+        kernels: &["q15_exposed_patch_k1", "q15_exposed_patch_kc"],
         at_most: [45.0, 30.0, 30.0],
         why: "What is left is the geometry: unpacking four components, two squares, a comparison, \
               and one clamp. The function saves registers and sets up a frame pointer although it \
@@ -67,7 +67,7 @@ const GOALS: [Goal; 7] = [
     },
     Goal {
         title: "linear to sRGB, one channel, within 0.60 LSB",
-        kernels: &["srgb8_quick"],
+        kernels: &["srgb8_direct"],
         at_most: [16.0, 14.0, 12.0],
         why: "The call and the frame pointer, which the compiler's Thumb targets ask for in every \
               function, take most of the goal by themselves. In a row's loop, where it is inlined, \
@@ -76,8 +76,8 @@ const GOALS: [Goal; 7] = [
     Goal {
         title: "world-space N, L, V in, RGB out",
         kernels: &[
-            "q15_world_metallic_phong_20_k1",
-            "q15_world_metallic_phong_20_kc",
+            "q15_exposed_world_metallic_phong_20_k1",
+            "q15_exposed_world_metallic_phong_20_kc",
         ],
         at_most: [190.0, 120.0, 70.0],
         why: "Nine components are unpacked for two dot products and three coordinates of L + V \
