@@ -60,6 +60,7 @@ const METAL: &str = "core/src/brdf/metal.rs";
 const PHONG: &str = "core/src/brdf/phong.rs";
 const FRAME: &str = "core/src/geometry/shading_frame.rs";
 const WORLD: &str = "core/src/geometry/world.rs";
+const EXPOSURE: &str = "core/src/table/exposure.rs";
 const UNIFORM: &str = "core/src/table/uniform.rs";
 const CURVE: &str = "core/src/table/cosine_curve.rs";
 
@@ -384,8 +385,8 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a product loses its lower half (q15)",
         SHORT,
-        "u64::from(share) * u64::from(factor & FACTOR)",
-        "u64::from(share & FACTOR) * u64::from(factor & FACTOR)",
+        "u64::from(share) * u64::from(factor << 16)",
+        "u64::from(share & FACTOR) * u64::from(factor << 16)",
         &["accuracy"],
     ),
     bug(
@@ -399,9 +400,44 @@ pub const BUGS: &[Bug] = &[
     bug(
         "zeros are counted from the second byte on",
         SHORT,
-        "        8 + zeros(b)",
-        "        zeros(b)",
+        "        8 + zeros(number >> 16)",
+        "        zeros(number >> 16)",
         &["lib"],
     )
     .of("core"),
+    bug(
+        "a bright light is not limited before the product (exposed)",
+        EXPOSURE,
+        "let share = share.min(self.limit);",
+        "let share = share.min(1 << 31);",
+        &["exposed"],
+    ),
+    bug(
+        "a factor is cut off, not rounded (exposed)",
+        EXPOSURE,
+        "(word as u32 + HALF) as i32",
+        "word as i32",
+        &["exposed"],
+    ),
+    bug(
+        "light of 16 bits wraps around (exposed)",
+        EXPOSURE,
+        "(light as u32).min(0xFFFF) as u16",
+        "light as u16",
+        &["exposed"],
+    ),
+    bug(
+        "a cell's line starts where the next one does (exposed)",
+        "core/src/table/exposed_curve.rs",
+        "slope.wrapping_mul((cell as i32) << POSITION_BITS)",
+        "slope.wrapping_mul((cell as i32 + 1) << POSITION_BITS)",
+        &["exposed"],
+    ),
+    bug(
+        "a disc is lit from below the horizon (exposed)",
+        "core/src/brdf/exposed_patch.rs",
+        "if !Q15::<KNOTS>::lit(n_dot_l, n_dot_v) {",
+        "if n_dot_l < 0 {",
+        &["exposed"],
+    ),
 ];

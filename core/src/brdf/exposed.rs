@@ -15,8 +15,12 @@ use crate::table::{CosineCurve, ExposedCurve, ExposedGain};
 /// the colour `C`.
 ///
 /// For a scene with one light it is the quicker way, in 16-bit fixed point
-/// alone; with several lights each takes a table of its own. Bounds are in
-/// `docs/accuracy.md`, tested in `tests/tests/exposed.rs`.
+/// alone; with several lights each takes a table of its own. For n from 1 to
+/// 1e8 the sRGB code is within 0.75 LSB of the exact one at K = 1, and at
+/// K = c_n for n to 500: lobes, and metals whose curve has knots enough (65 for
+/// gold, silver and copper, 129 for aluminium and chromium). Of a dielectric,
+/// whose F spans a factor of 25, 257 knots are within 1.05 LSB. Tested in
+/// `tests/tests/exposed.rs`.
 ///
 /// ```
 /// use microbrdf::arithmetic::Q15;
@@ -69,8 +73,7 @@ impl Exposing for ExposedGain {
     }
 }
 
-impl<const KNOTS: usize, const COLOUR_KNOTS: usize>
-    Exposed<ExposedCurve<COLOUR_KNOTS>, KNOTS> {
+impl<const KNOTS: usize, const COLOUR_KNOTS: usize> Exposed<ExposedCurve<COLOUR_KNOTS>, KNOTS> {
     /// The lobe of `lobe`, coloured by `fresnel`, the reflectance over cosΘmin,
     /// and by the `gain` K of each channel.
     ///

@@ -98,6 +98,10 @@ impl<A: Arithmetic> Shape for Patch<A> {
 
     #[inline]
     fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
-        if self.covers(geometry) { A::ONE } else { A::ZERO }
+        if self.covers(geometry) {
+            A::ONE
+        } else {
+            A::ZERO
+        }
     }
 }

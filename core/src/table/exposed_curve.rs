@@ -96,10 +96,16 @@ impl<const KNOTS: usize> ExposedCurve<KNOTS> {
     /// What a channel's knot holds, 15 fraction bits: half of the chords' error
     /// below the curve, so that it is centred on 0.
     const fn knot(fresnel: &CosineCurve, channel: usize, knot: usize) -> u128 {
-        let after = if knot < Self::CELLS { knot } else { Self::CELLS - 1 };
+        let after = if knot < Self::CELLS {
+            knot
+        } else {
+            Self::CELLS - 1
+        };
         let before = knot.saturating_sub(1);
         let sags = Self::sag(fresnel, channel, before) + Self::sag(fresnel, channel, after);
-        (fresnel.at_knot(knot, Self::CELLS)[channel] as i32 - sags / 4) as u128
+        let lowered = fresnel.at_knot(knot, Self::CELLS)[channel] as i32 - sags / 4;
+        // No reflectance is negative.
+        if lowered > 0 { lowered as u128 } else { 0 }
     }
 
     /// How far a cell's chord is above the curve in its middle.

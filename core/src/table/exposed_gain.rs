@@ -56,6 +56,9 @@ impl ExposedGain {
     #[inline(always)]
     pub(crate) fn expose(&self, share: u32) -> Rgb<u16> {
         let share = self.exposure.share(share);
-        Rgb::from_array(self.factors.map(|factor| self.exposure.light(factor, share)))
+        Rgb::from_array(
+            self.factors
+                .map(|factor| self.exposure.light(factor, share)),
+        )
     }
 }

@@ -25,7 +25,8 @@ const GAIN_RANGE: ParameterError = ParameterError::new(
     "at most 256, or such that no channel is 128 times as bright as another",
 );
 
-/// From a share and a factor to linear light.
+/// From a share and a factor to linear light. Beyond K = 1000 a step of a share,
+/// 2⁻²⁵, is more than half of one of light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Exposure {
     /// The share beyond which every channel is white.

@@ -1,7 +1,8 @@
 //! What needs no arithmetic: encodings, and the knots of curves.
 
 use microbrdf::shade::{
-    LINEAR_ONE, Linear, Octahedral, Palette565, grey16, srgb8, srgb8_bisected, srgb8_quick,
+    LINEAR_ONE, Linear, Octahedral, Palette565, grey16, srgb8, srgb8_bisected, srgb8_direct,
+    srgb8_quick,
 };
 use microbrdf::table::{COSINE_KNOTS, CosineCurve, ProfileCurve};
 use microbrdf_bits::Checksum;
@@ -70,6 +71,14 @@ pub fn add(sums: &mut Sums) {
         }
     }
     sums.push("palettes", sum.value());
+
+    let mut sum = Checksum::new();
+    let palette = Palette565::new([LINEAR_ONE, LINEAR_ONE / 3, 12_345]);
+    for light in 0..=u16::MAX {
+        sum.feed(u32::from(srgb8_direct(light)));
+        sum.feed(u32::from(palette.at_short(light)));
+    }
+    sums.push("light of 16 bits", sum.value());
 
     let codes = (0..=u32::MAX).step_by(65_521 * 9);
     sums.push(

@@ -7,6 +7,7 @@
 //! writes the sums anew.
 
 mod encoding;
+mod exposed;
 mod given;
 mod models;
 mod places;
@@ -77,6 +78,13 @@ fn q15() {
 fn micromath() {
     use microbrdf::arithmetic::Micromath;
     compare::<Micromath>(&expect_file!["sums/micromath.txt"], shading::<Micromath>);
+}
+
+#[test]
+fn exposed() {
+    let mut sums = Sums(String::new());
+    exposed::add(&mut sums);
+    expect_file!["sums/exposed.txt"].assert_eq(&sums.0);
 }
 
 #[test]

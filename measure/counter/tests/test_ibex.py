@@ -77,3 +77,12 @@ def test_words_come_back_in_memory(program: Path) -> None:
     image = Image(_FLASH, [(_FLASH, data)], [], len(data), 0, 0)
     with Ibex(program, image) as core:
         assert core.call([7, 0x2000_0004], [1], 1).results == [7]
+
+
+def test_segments_that_share_a_word(program: Path) -> None:
+    # lbu a0, 1(a0); ret; and behind it, in the same word, a byte that it reads.
+    code, byte = bytes.fromhex("03451500") + bytes.fromhex("8280"), b"\x2a"
+    behind = _FLASH + len(code)
+    image = Image(_FLASH, [(_FLASH, code), (behind, byte)], [], len(code), 1, 0)
+    with Ibex(program, image) as core:
+        assert core.call([behind - 1], [], 0).results[0] == 42

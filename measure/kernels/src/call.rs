@@ -58,6 +58,8 @@ pub enum Call {
     ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
     /// The upper 16 of a number's 24 bits to a number.
     Half(extern "C" fn(u16) -> u32),
+    /// As [`Self::Half`], the same for three channels.
+    Halves(extern "C" fn(u16, u16, u16) -> u32),
     /// A number to a number.
     Number(extern "C" fn(u32) -> u32),
 }
@@ -189,6 +191,11 @@ impl Kernel {
             Call::Half(function) => {
                 let half = (n[0] >> 8).min(0xFFFF);
                 (vec![half], Vec::new(), vec![function(half as u16)])
+            }
+            Call::Halves(function) => {
+                let half = (n[0] >> 8).min(0xFFFF);
+                let result = function(half as u16, half as u16, half as u16);
+                (vec![half; 3], Vec::new(), vec![result])
             }
             Call::Number(function) => (vec![n[0]], Vec::new(), vec![function(n[0])]),
         };

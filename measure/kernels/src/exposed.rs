@@ -68,7 +68,11 @@ macro_rules! shade {
         #[allow(unsafe_code)]
         #[unsafe(export_name = $symbol)]
         pub extern "C" fn shade(l: Vector<'_>, v: Vector<'_>) -> u32 {
-            u32::from(MODEL.shade(&ShadingFrame::new(direction(l), direction(v))).r)
+            u32::from(
+                MODEL
+                    .shade(&ShadingFrame::new(direction(l), direction(v)))
+                    .r,
+            )
         }
     };
     (world $symbol:literal) => {
@@ -76,7 +80,11 @@ macro_rules! shade {
         #[allow(unsafe_code)]
         #[unsafe(export_name = $symbol)]
         pub extern "C" fn shade(n: Vector<'_>, l: Vector<'_>, v: Vector<'_>) -> u64 {
-            packed(MODEL.light(&World::new(direction(n), direction(l), direction(v))))
+            packed(Some(MODEL.shade(&World::new(
+                direction(n),
+                direction(l),
+                direction(v),
+            ))))
         }
     };
 }
@@ -97,10 +105,10 @@ macro_rules! call {
 #[cfg(not(target_os = "none"))]
 macro_rules! variant {
     (world) => {
-        "world space, core, 129 knots, gain in the table"
+        "world space, gain in the table, 129 knots"
     };
     ($other:ident) => {
-        "core, 129 knots, gain in the table"
+        "gain in the table, 129 knots"
     };
 }
 

@@ -4,9 +4,9 @@
 use fixed::types::I2F14;
 use microbrdf::arithmetic::Q15;
 use microbrdf::brdf::{ExposedPhong, MetallicPhong};
-use microbrdf::{Rgb, constant};
 use microbrdf::geometry::{Direction, World};
 use microbrdf::shade::{LINEAR_ONE, Palette565};
+use microbrdf::{Rgb, constant};
 
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
@@ -17,7 +17,7 @@ pub const LIGHT: [i16; 3] = [-6000, 8000, 12_978];
 /// The light's colour on the metal, linear with 24 fraction bits.
 pub const TINT: [u32; 3] = [LINEAR_ONE, LINEAR_ONE / 4 * 3, LINEAR_ONE / 3];
 
-static PALETTE: Palette565 = Palette565::new(TINT);
+pub(crate) static PALETTE: Palette565 = Palette565::new(TINT);
 
 type A = Q15;
 
@@ -38,6 +38,15 @@ fn pixel(model: &ExposedPhong, point: u32) -> u32 {
     };
     let frame = World::new(normal, direction(LIGHT), direction([0, 0, 1 << 14]));
     u32::from(PALETTE.at_short(model.shade(&frame).r))
+}
+
+/// The third component of a sphere's normal alone, 14 fraction bits.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "q15_sphere_normal")]
+pub extern "C" fn normal(point: u32) -> u32 {
+    let half = |bits: u32| I2F14::from_bits(bits as u16 as i16);
+    Direction::<A>::upon_sphere(half(point), half(point >> 16))
+        .map_or(0, |normal| normal.z.to_bits() as u32)
 }
 
 macro_rules! spheres {
@@ -61,14 +70,24 @@ macro_rules! spheres {
         pub(crate) const KERNELS: &[Kernel] = &[$(Kernel {
             name: $symbol,
             arithmetic: "q15",
-            variant: "core, 129 knots, palette",
+            variant: "core, gain in the table, 129 knots, palette",
             model: "sphere",
             fields: $fields,
             width: $n,
             exposure: "1",
             k: 1.0,
             call: Call::Number($function),
-        }),+];
+        }),+, Kernel {
+            name: "q15_sphere_normal",
+            arithmetic: "q15",
+            variant: "core",
+            model: "sphere normal",
+            fields: "",
+            width: 20.0,
+            exposure: "1",
+            k: 1.0,
+            call: Call::Number(normal),
+        }];
     };
 }
 

@@ -1,11 +1,13 @@
 //! Single steps: dot products, and the encoding of one channel.
 
-use microbrdf::arithmetic::Arithmetic;
+use microbrdf::arithmetic::{Arithmetic, Q15};
+use microbrdf::geometry::{Geometry, World};
 use microbrdf::shade::{Linear, grey16, grey16_nearest, srgb8, srgb8_direct, srgb8_quick};
 
-use crate::call::Light;
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
+use crate::call::{Light, Short};
+use crate::sphere::PALETTE;
 
 /// Linear light with 24 fraction bits to an 8-bit sRGB code.
 #[allow(unsafe_code)]
@@ -26,6 +28,14 @@ pub extern "C" fn srgb_quick(linear: u32) -> u32 {
 #[unsafe(export_name = "srgb8_direct")]
 pub extern "C" fn srgb_direct(light: u16) -> u32 {
     u32::from(srgb8_direct(light))
+}
+
+/// The same for the three channels of a pixel; red in the lowest byte.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "srgb8_direct_pixel")]
+pub extern "C" fn srgb_direct_pixel(r: u16, g: u16, b: u16) -> u32 {
+    let [r, g, b] = [r, g, b].map(|light| u32::from(srgb8_direct(light)));
+    r | g << 8 | b << 16
 }
 
 /// What a function costs that gives back what it is given.
@@ -63,6 +73,21 @@ pub extern "C" fn grey(linear: u32) -> u32 {
 pub extern "C" fn grey_dithered(linear: u32) -> u32 {
     let (x, y) = place(linear);
     u32::from(grey16(linear, x, y))
+}
+
+/// Light of 16 bits to a code of RGB565, of one tint.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "palette")]
+pub extern "C" fn palette(light: u16) -> u32 {
+    u32::from(PALETTE.at_short(light))
+}
+
+/// 1 − R·V of N, L and V, without anything that is made of it.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "q15_world_versine")]
+pub extern "C" fn versine(n: Short, l: Short, v: Short) -> u64 {
+    let [n, l, v] = [n, l, v].map(crate::ways::q15::direction);
+    u64::from(World::<Q15>::new(n, l, v).versine())
 }
 
 fn place(linear: u32) -> (usize, usize) {
@@ -118,6 +143,13 @@ pub(crate) const KERNELS: &[Kernel] = &[
         Call::Half(srgb_direct),
     ),
     step(
+        "srgb8_direct_pixel",
+        "integer",
+        "core, of 16 bits, a pixel's three at once",
+        "srgb8",
+        Call::Halves(srgb_direct_pixel),
+    ),
+    step(
         "nothing",
         "integer",
         "a call and its frame alone",
@@ -145,6 +177,14 @@ pub(crate) const KERNELS: &[Kernel] = &[
         "core, dithered",
         "grey16",
         Call::Number(grey_dithered),
+    ),
+    step("palette", "integer", "core", "palette", Call::Half(palette)),
+    step(
+        "q15_world_versine",
+        "q15",
+        "core",
+        "versine",
+        Call::ShortWorldPacked(versine),
     ),
     step("f32_dots", "f32", "core", DOTS, Call::World(f32::dots)),
     step("q31_dots", "q31", "core", DOTS, Call::World(q31::dots)),

@@ -15,7 +15,7 @@ pub const CORES: [(&str, &str); 5] = [
 ];
 
 /// Models in their order, with a title.
-const MODELS: [(&str, &str); 17] = [
+const MODELS: [(&str, &str); 21] = [
     ("metallic-phong", "Metallic Phong"),
     ("metal", "Metal, three channels with Fresnel's factor"),
     ("patch", "Basic patch"),
@@ -32,9 +32,19 @@ const MODELS: [(&str, &str); 17] = [
     ),
     ("metallic-paint", "Metallic paint, three channels"),
     ("srgb8", "Linear light to an 8-bit sRGB code, one channel"),
+    (
+        "nothing",
+        "A function that gives back what it is given: a call and its frame",
+    ),
+    ("palette", "Light of 16 bits to RGB565 of one tint"),
     ("rgb565", "Three channels of linear light to RGB565"),
     ("grey16", "A luminance to one of 16 greys"),
     ("three dot products", "Three dot products: N·L, N·V, L·V"),
+    ("versine", "N, L and V to 1 − R·V"),
+    (
+        "sphere normal",
+        "A sphere's normal at a point of the picture",
+    ),
     (
         "sphere",
         "A sphere's pixel to RGB565, ray and normal included",
@@ -45,7 +55,7 @@ const HEAD: &str = "# Error against cost
 
 Made by `cargo xtask measure`; `cargo xtask test` fails when it is out of date.
 
-What is measured: one light, reflected radiance as exposed linear light with 24 fraction bits, which every display's encoding starts from; material and gain constants in flash; the call included, what prepares its arguments left out. Directions go in as the arithmetic holds them, behind pointers, those of 16 bits by value. Each kernel is linked alone: its bytes are those of the function, all that it calls, and its constants.
+What is measured: one light, reflected radiance as exposed linear light with 24 fraction bits, which every display's encoding starts from; material and gain constants in flash; the call included, what prepares its arguments left out. A kernel with the gain in its table gives 16 bits a channel instead, in registers; its error is that of the middle of their step. Directions go in as the arithmetic holds them, behind pointers, those of 16 bits by value. Each kernel is linked alone: its bytes are those of the function, all that it calls, and its constants.
 
 * **Cycles** are the mean over directions within the lobe whose larger cosine is at least 1e-3 (both cosines in world space), in brackets the most of any call: beside the lobe also at the mirror direction, at grazing, anywhere above the horizon and below it. 64 calls in the mean and 48 others for fixed point, 16 and 16 where floats are emulated. Every result was compared, bit by bit, with the host's.
 * Cycles on Cortex-M are **estimates**: executed instructions weighed with Arm's published timings at zero wait states ([measure/counter](../measure/counter/README.md) says what is modelled). M0 and M0+ have the single-cycle multiplier; with the 32-cycle one in the second table. Those of M0+ have a second source, rp2040js, an emulator of the RP2040: `cargo xtask test --only \"second source\"` runs every kernel in both, and each instruction takes the same cycles but for a PUSH of LR, which rp2040js leaves uncounted. Those of M0, M3 and M4F have none.

@@ -61,7 +61,7 @@ pub fn of(kernel: &'static Kernel, count: usize) -> Calls {
     let groups = match Subject::new(kernel) {
         Some(subject) => model(&subject, count),
         None if kernel.takes_normal() => directions(kernel, count),
-        None if kernel.model == "sphere" => sphere(kernel, count),
+        None if kernel.model.starts_with("sphere") => sphere(kernel, count),
         None => numbers(kernel, count),
     };
     Calls {

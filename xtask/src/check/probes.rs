@@ -20,8 +20,9 @@ const TARGETS: [&str; 3] = [
 ];
 
 /// Probes, and whether they compute with floats.
-const PROBES: [(&str, bool); 7] = [
+const PROBES: [(&str, bool); 8] = [
     ("q15", false),
+    ("exposed", false),
     ("q31", false),
     ("sampling_q31", false),
     ("scene", false),

@@ -35,12 +35,13 @@ class Bench:
 
     def load(self, image: Image) -> None:
         """Puts an image into its flash."""
+        # Segments can share a word: the bytes of one must not be lost to the other's padding.
+        words: dict[int, bytearray] = {}
         for address, data in image.segments:
-            start = address & ~3
-            padded = bytes(address - start) + data
-            padded += bytes(-len(padded) % 4)
-            words = [int.from_bytes(padded[i : i + 4], "little") for i in range(0, len(padded), 4)]
-            self.say(f"load {start:x} {hexadecimal(words)}")
+            for place, byte in enumerate(data, address):
+                words.setdefault(place & ~3, bytearray(4))[place & 3] = byte
+        for address, word in sorted(words.items()):
+            self.say(f"load {address:x} {int.from_bytes(word, 'little'):x}")
 
     def say(self, line: str) -> None:
         """Tells it something."""
