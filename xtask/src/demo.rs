@@ -70,7 +70,7 @@ pub fn run(
         let _ = fs::remove_file(place(name));
     }
 
-    let mut emulator = Emulator::halted(&order.board, &image.elf)?;
+    let mut emulator = Emulator::halted(layout, &order.board, &image.elf)?;
     let mut reception = Reception::into(out);
     if quiet {
         reception.messages = Some(place("receiver.log"));

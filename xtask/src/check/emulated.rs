@@ -159,7 +159,10 @@ fn with_options(bench: &Bench<'_>, board: Board) -> Outcome<Tally> {
     let mut reception = Reception::into(&out);
     reception.messages = Some(out.join("receiver.log"));
     reception.log = Some(out.join("defmt.bin"));
-    let received = reception.run(bench.layout, &mut Emulator::halted(&board, &image.elf)?)?;
+    let received = reception.run(
+        bench.layout,
+        &mut Emulator::halted(bench.layout, &board, &image.elf)?,
+    )?;
     let mut faults = Vec::new();
     if received.status.code() != Some(0) {
         faults.push(format!(
@@ -200,7 +203,10 @@ fn provoke(bench: &Bench<'_>, board: Board, feature: &str, fault: &str) -> Outco
     let out = folder(bench, &format!("{feature}-{}", board.name))?;
     let mut reception = Reception::into(&out);
     reception.messages = Some(out.join("receiver.log"));
-    let received = reception.run(bench.layout, &mut Emulator::halted(&board, &image.elf)?)?;
+    let received = reception.run(
+        bench.layout,
+        &mut Emulator::halted(bench.layout, &board, &image.elf)?,
+    )?;
     let mut faults = partial(&received, &reception.picture)?;
     if received.report["fault"]["name"] != fault {
         faults.push(format!(
@@ -228,7 +234,7 @@ fn broken_line(bench: &Bench<'_>, end: End) -> Outcome<Tally> {
     let order = order(bench, board, ARITHMETICS[0], &[]);
     let image = firmware::build(bench.layout, bench.cross, &host, &order, true)?;
     let out = folder(bench, &format!("broken-{end:?}").to_lowercase())?;
-    let mut emulator = Emulator::halted(&board, &image.elf)?;
+    let mut emulator = Emulator::halted(bench.layout, &board, &image.elf)?;
     let mut reception = Reception::into(&out);
     // Less than half of the smallest frame that 256 x 128 pixels of 3 bytes can be.
     reception.port = Some(line::cut_after(emulator.line()?, 40_000, end)?);

@@ -2,16 +2,14 @@
 //!
 //! That compiler comes from rustup if it is installed there; else, on Debian, the distribution's packages of it are unpacked, not installed, into `target/oldest-rust`; else the step is skipped and says so.
 
-use std::env;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use super::counts::Tally;
 use super::{Bench, Step};
-use crate::command::{self, Machine, Runner};
-use crate::failure::{During, Failure, Outcome};
-use crate::setup::apt;
+use crate::command::{Machine, Runner};
+use crate::failure::Outcome;
+use crate::setup::unpacked;
 use crate::toolchain::distribution::release;
 
 /// The step.
@@ -66,7 +64,7 @@ fn find(bench: &Bench<'_>) -> Outcome<Option<Command>> {
     if !root.join("usr/bin/cargo").is_file() && !unpack(&Machine, &root)? {
         return Ok(None);
     }
-    Ok(Some(unpacked(&root)))
+    Ok(Some(unpacked_cargo(&root)))
 }
 
 /// An installed toolchain of that release.
@@ -84,25 +82,9 @@ fn rustup_toolchain(runner: &dyn Runner, wanted: (u32, u32)) -> Option<String> {
 }
 
 /// Cargo from an unpacked set of packages.
-fn unpacked(root: &Path) -> Command {
+fn unpacked_cargo(root: &Path) -> Command {
     let programs = root.join("usr/bin");
-    let mut cargo = Command::new(programs.join("cargo"));
-    let libraries: Vec<PathBuf> = ["usr/lib", "lib"]
-        .iter()
-        .flat_map(|folder| {
-            fs::read_dir(root.join(folder))
-                .into_iter()
-                .flatten()
-                .flatten()
-        })
-        .map(|entry| entry.path())
-        .filter(|path| path.to_string_lossy().ends_with("-linux-gnu"))
-        .collect();
-    let mut path = vec![programs.clone()];
-    path.extend(env::split_paths(&env::var_os("PATH").unwrap_or_default()));
-    if let (Ok(libraries), Ok(path)) = (env::join_paths(libraries), env::join_paths(path)) {
-        cargo.env("LD_LIBRARY_PATH", libraries).env("PATH", path);
-    }
+    let mut cargo = unpacked::program(root, "cargo");
     cargo
         .env("RUSTC", programs.join("rustc"))
         .env("CARGO", programs.join("cargo"))
@@ -122,46 +104,8 @@ fn unpack(runner: &dyn Runner, root: &Path) -> Outcome<bool> {
         .collect();
     let mut packages: Vec<&str> = vec!["--allow-downgrades"];
     packages.extend(wanted.iter().map(String::as_str));
-    let quote = apt::quote(runner, &packages);
-    if let Some(refused) = quote.refused {
-        return Err(Failure::incomplete(format!(
-            "apt-get does not resolve {wanted:?}: {refused}"
-        )));
-    }
     println!("fetching Rust {version} into target/, once");
-    let partial = root.with_extension("partial");
-    let _ = fs::remove_dir_all(&partial);
-    fs::create_dir_all(&partial).during(|| format!("creating {}", partial.display()))?;
-    let exact: Vec<String> = quote
-        .install
-        .iter()
-        .map(|(name, version)| format!("{name}={version}"))
-        .collect();
-    run_in(
-        &partial,
-        Command::new("apt-get")
-            .arg("-q")
-            .arg("download")
-            .args(&exact),
-    )?;
-    for entry in fs::read_dir(&partial)
-        .during(|| "listing packages".to_string())?
-        .flatten()
-    {
-        let package = entry.path();
-        if package.extension().is_some_and(|ending| ending == "deb") {
-            run_in(
-                &partial,
-                Command::new("dpkg-deb")
-                    .arg("-x")
-                    .arg(&package)
-                    .arg(&partial),
-            )?;
-            let _ = fs::remove_file(&package);
-        }
-    }
-    let _ = fs::remove_dir_all(root);
-    fs::rename(&partial, root).during(|| format!("moving to {}", root.display()))?;
+    unpacked::fetch(runner, &packages, root)?;
     Ok(true)
 }
 
@@ -177,21 +121,6 @@ fn packaged(runner: &dyn Runner, wanted: (u32, u32)) -> Option<String> {
         .filter_map(|line| line.split('|').nth(1).map(str::trim))
         .find(|version| release(version) == Some(wanted))
         .map(str::to_string)
-}
-
-fn run_in(folder: &Path, command: &mut Command) -> Outcome<()> {
-    let output = command
-        .current_dir(folder)
-        .output()
-        .during(|| format!("starting {}", command::shown(command)))?;
-    if output.status.success() {
-        return Ok(());
-    }
-    Err(Failure::incomplete(format!(
-        "{} failed:\n{}",
-        command::shown(command),
-        String::from_utf8_lossy(&output.stderr)
-    )))
 }
 
 #[cfg(test)]

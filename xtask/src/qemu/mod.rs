@@ -4,12 +4,14 @@ pub mod qmp;
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Stdio};
 
 use serde_json::json;
 
 use crate::board::Board;
 use crate::failure::{During, Failure, Outcome};
+use crate::layout::Layout;
+use crate::setup::emulator;
 use crate::stack::Stack;
 use qmp::Qmp;
 
@@ -29,12 +31,12 @@ pub struct Emulator {
 impl Emulator {
     /// Loads the image and halts before its first instruction.
     /// What QEMU itself has to say goes into a file beside the image, and is shown where it does not start.
-    pub fn halted(board: &Board, elf: &Path) -> Outcome<Self> {
+    pub fn halted(layout: &Layout, board: &Board, elf: &Path) -> Outcome<Self> {
         let log = elf.with_extension("qemu.log");
         let stack = Stack::of(elf)?;
         let filled = stack.filled(elf)?;
         let messages = File::create(&log).during(|| format!("creating {}", log.display()))?;
-        let mut child = Command::new("qemu-system-arm")
+        let mut child = emulator::command(layout)
             .args(["-M", board.name, "-S"])
             .args(["-display", "none", "-monitor", "none", "-parallel", "none"])
             .args(["-qmp", "stdio"])

@@ -3,12 +3,14 @@
 pub mod apt;
 pub mod consent;
 pub mod deny;
+pub mod emulator;
 pub mod node;
 pub mod offer;
 pub mod plan;
 pub mod python;
 #[cfg(test)]
 pub mod script;
+pub mod unpacked;
 
 use crate::command::Runner;
 use crate::failure::{Failure, Outcome};
@@ -170,6 +172,7 @@ fn make(layout: &Layout, purpose: Purpose, runner: &dyn Runner, local: &Local) -
                 })?;
             sysroot::build(layout, &compiler, targets)
         }
+        Local::Emulator => emulator::unpack(layout, runner),
         Local::Venv => python::install(layout),
         Local::Counter => python::install_counter(layout),
         Local::Rp2040js => node::install(layout),

@@ -3,7 +3,7 @@
 use crate::command::Runner;
 use crate::failure::Outcome;
 use crate::layout::Layout;
-use crate::setup::{Purpose, apt, deny, node, python};
+use crate::setup::{Purpose, apt, deny, emulator, node, python};
 use crate::toolchain::distribution::{self, FAMILIES, Family};
 use crate::toolchain::{self, Way, active, sysroot};
 
@@ -25,6 +25,8 @@ pub struct Plan {
 pub enum Local {
     /// `core` for some targets, from the distribution's source.
     Sysroot(Vec<&'static str>),
+    /// QEMU, from the distribution's packages.
+    Emulator,
     /// The virtual environment with the receiver.
     Venv,
     /// The counter of cycles, in the same environment.
@@ -45,6 +47,9 @@ impl Local {
                     targets.join(", ")
                 )
             }
+            Self::Emulator => "qemu-system-arm, emulator of the boards, unpacked into \
+                               target/emulator, since installing it would remove packages"
+                .to_string(),
             Self::Venv => "virtual environment with the receiver (target/venv)".to_string(),
             Self::Counter => "counter of cycles, with its emulator (target/venv)".to_string(),
             Self::Rp2040js => {
@@ -76,9 +81,13 @@ impl Plan {
     ) -> Outcome<Self> {
         let mut plan = Self::default();
         plan.compiler(layout, runner, purpose, targets, rustup_failed)?;
-        if purpose.runs() && !runner.has("qemu-system-arm") {
-            plan.packages
-                .push(("qemu-system-arm", "emulator of the boards"));
+        if purpose.runs() && !emulator::is_there(layout, runner) {
+            if emulator::is_in_the_way(runner) {
+                plan.local.push(Local::Emulator);
+            } else {
+                plan.packages
+                    .push((emulator::PROGRAM, "emulator of the boards"));
+            }
         }
         if purpose.counts() {
             for (program, package) in [("verilator", "verilator"), ("g++", "g++"), ("make", "make")]
