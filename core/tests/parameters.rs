@@ -238,3 +238,90 @@ fn profiles() {
     }
     refused(ProfileCurve::new(with(0, 0), 12), "halvings");
 }
+
+/// Lobes and patches with a light's gain in their tables.
+mod exposed {
+    use super::*;
+    use microbrdf::arithmetic::Q15;
+    use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
+    use microbrdf::fixed::types::{U2F30, U32F32};
+    use microbrdf::table::{COSINE_KNOTS, CosineCurve};
+
+    fn lobe() -> MetallicPhong<Q15> {
+        MetallicPhong::<Q15>::new(U32F32::lit("20")).expect("an exponent")
+    }
+
+    fn gain(r: &str, g: &str, b: &str) -> Rgb<U32F32> {
+        let [r, g, b] = [r, g, b].map(|k| k.parse().expect("a number"));
+        Rgb { r, g, b }
+    }
+
+    fn level(entry: u16) -> CosineCurve {
+        CosineCurve::from_entries([[entry; 3]; COSINE_KNOTS])
+    }
+
+    #[test]
+    fn gains() {
+        let phong = |gain| ExposedPhong::<129>::new(lobe(), gain);
+        let metal = |gain| ExposedMetal::<129, 65>::new(lobe(), &level(1 << 15), gain);
+        for (dim, bright) in [("1.9", "255.9"), ("2.1", "257"), ("0", "1000")] {
+            taken(phong(gain(dim, bright, bright)));
+            taken(phong(gain(bright, bright, dim)));
+            taken(metal(gain(bright, dim, bright)));
+        }
+        for (dim, bright) in [("1.9", "257"), ("7", "1000"), ("0.0000000003", "300")] {
+            refused(phong(gain(dim, bright, bright)), "gain");
+            refused(phong(gain(bright, bright, dim)), "gain");
+            refused(metal(gain(bright, dim, bright)), "gain");
+        }
+        // At twice the brightness, a curve that is half as bright somewhere.
+        let mut entries = [[1 << 15; 3]; COSINE_KNOTS];
+        entries[COSINE_KNOTS - 1] = [1 << 14; 3];
+        let curve = CosineCurve::from_entries(entries);
+        let metal = |gain| ExposedMetal::<129, 65>::new(lobe(), &curve, gain);
+        taken(metal(gain("4.2", "260", "260")));
+        refused(metal(gain("4.0", "260", "260")), "gain");
+        taken(phong(gain("0", "0", "0")));
+    }
+
+    #[test]
+    fn gains_of_patches() {
+        let patch = Patch::<Q15>::new(U2F30::lit("0.1")).expect("a radius");
+        let exposed = |gain| ExposedPatch::<129>::new(patch, gain);
+        for [r, g, b] in [
+            ["16384", "0", "1"],
+            ["1", "16384", "0"],
+            ["0", "1", "16384"],
+        ] {
+            taken(exposed(gain(r, g, b)));
+        }
+        let more = "16384.0001";
+        for [r, g, b] in [[more, "0", "1"], ["1", more, "0"], ["0", "1", more]] {
+            refused(exposed(gain(r, g, b)), "gain");
+        }
+    }
+
+    #[test]
+    fn curves() {
+        // In the coarse part a cell is from one entry to the next. The greatest
+        // entry is between 1 and 2: a half of 2 is 32768.
+        for (from, to, takes) in [
+            (40_000, 7_232, true),
+            (40_000, 7_228, false),
+            (7_236, 40_000, true),
+            (7_232, 40_000, false),
+        ] {
+            let mut entries = [[from; 3]; COSINE_KNOTS];
+            for entry in entries.iter_mut().skip(80) {
+                *entry = [to; 3];
+            }
+            let curve = CosineCurve::from_entries(entries);
+            let model = ExposedMetal::<129, 65>::new(lobe(), &curve, Rgb::grey(U32F32::ONE));
+            if takes {
+                taken(model);
+            } else {
+                refused(model, "fresnel");
+            }
+        }
+    }
+}

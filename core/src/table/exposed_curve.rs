@@ -34,7 +34,7 @@ pub struct ExposedCurve<const KNOTS: usize> {
 
 const CELLS_RANGE: ParameterError = ParameterError::new(
     "fresnel",
-    "a curve that rises or falls by less than a half of its greatest value in a cell",
+    "a curve that rises or falls by less than 1/2 of its greatest value in a cell",
 );
 
 impl<const KNOTS: usize> ExposedCurve<KNOTS> {

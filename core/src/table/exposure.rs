@@ -22,7 +22,7 @@ const HEADROOM: i32 = 8;
 
 const GAIN_RANGE: ParameterError = ParameterError::new(
     "gain",
-    "at most 256, or such that no channel is 128 times as bright as another",
+    "below 256, or such that no channel is 128 times as bright as another",
 );
 
 /// From a share and a factor to linear light. Beyond K = 1000 a step of a share,

@@ -93,8 +93,8 @@ const GOALS: [Goal; 7] = [
         at_once: 1.0,
         at_most: [190.0, 120.0, 70.0],
         parts: &["q15_world_versine"],
-        why: "1 − R·V alone takes most of the goal, and the lobe, the ratio and the light that are made \
-              of it take as much as in the shading frame. Nine components are unpacked for two dot products and three coordinates of L + V \
+        why: "1 − R·V alone takes most of the goal; what follows it, all of the table's first row but a \
+              geometry of half a dozen instructions, takes more than is left. Nine components are unpacked for two dot products and three coordinates of L + V \
               without its part along N, each of them with a product, a rounding and a square of its own; \
               so many values need every register, whose saving is counted, too. A formula in the \
               cosines alone, 1 + L·V − 2(N·L)(N·V), would take nine products and half the rest, and \
