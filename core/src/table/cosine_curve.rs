@@ -58,15 +58,16 @@ impl CosineCurve {
             let past = units - FINE_CELLS;
             (FINE_CELLS + past / 4, past as u32 % 4)
         };
+        // Nothing lies beyond the last.
+        if left >= COSINE_KNOTS - 1 {
+            let [r, g, b] = self.entries[COSINE_KNOTS - 1];
+            return [r as u32, g as u32, b as u32];
+        }
+        let [from, to] = [self.entries[left], self.entries[left + 1]];
         let mut values = [0; 3];
         let mut channel = 0;
         while channel < 3 {
-            let from = self.entries[left][channel] as u32;
-            let to = if within == 0 {
-                from
-            } else {
-                self.entries[left + 1][channel] as u32
-            };
+            let (from, to) = (from[channel] as u32, to[channel] as u32);
             values[channel] = (from * (4 - within) + to * within + 2) / 4;
             channel += 1;
         }

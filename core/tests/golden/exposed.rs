@@ -69,8 +69,8 @@ fn bent() -> CosineCurve {
     let mut entries = [[0; 3]; COSINE_KNOTS];
     for (index, entry) in entries.iter_mut().enumerate() {
         let cosine = u32::from(CosineCurve::knot(index));
-        let fall = (256 - cosine) * (256 - cosine) / 4;
-        *entry = [16_384 + fall, 32_768 - fall, 20_000 + cosine * 10].map(|value| value as u16);
+        let fall = 16 * 30_000 / (16 + cosine);
+        *entry = [2_000 + fall, 32_768 - fall, 20_000 + cosine * 10].map(|value| value as u16);
     }
     CosineCurve::from_entries(entries)
 }

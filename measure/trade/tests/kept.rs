@@ -111,7 +111,9 @@ fn calls_within_the_lobe_are_lit_and_those_below_the_horizon_are_not() {
             lit.count() as f64 / group.calls.len() as f64
         };
         assert_eq!(lit("unlit"), 0.0, "{}", kernel.name);
-        // The faintest light rounds to nothing.
-        assert!(lit("lobe") > 0.7, "{}: {}", kernel.name, lit("lobe"));
+        // The faintest light rounds to nothing: of 16 bits sooner than of 24.
+        let short = kernel.variant.contains("gain in the table");
+        let least = if short { 0.5 } else { 0.7 };
+        assert!(lit("lobe") > least, "{}: {}", kernel.name, lit("lobe"));
     }
 }
