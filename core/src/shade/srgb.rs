@@ -16,9 +16,18 @@ const CELLS: usize = DARK_CELLS + MIDDLE_CELLS + LIGHT_CELLS;
 
 /// `THRESHOLDS[c]` is the least linear value whose code is above `c`; no
 /// value passes the last.
-pub(super) static THRESHOLDS: [u32; 256] = thresholds();
+static THRESHOLDS: [u32; 256] = thresholds();
 /// Code at the left end of each cell.
 static STARTS: [u8; CELLS] = starts();
+
+/// The code of a linear value for tables that are built upwards: `code` is
+/// that of a lower one.
+pub(super) const fn code_from(mut code: u8, linear: u32) -> u8 {
+    while code < 255 && linear >= THRESHOLDS[code as usize] {
+        code += 1;
+    }
+    code
+}
 
 /// The sRGB code (IEC 61966-2-1) of linear light with 24 fraction bits.
 ///

@@ -1,6 +1,6 @@
 //! Light of 16 bits to 8-bit sRGB: a shift and a look-up.
 
-use super::srgb::{LINEAR_BITS, THRESHOLDS};
+use super::srgb::{LINEAR_BITS, code_from};
 
 /// Bits of a cell's number.
 const CELL_BITS: u32 = 14;
@@ -16,9 +16,7 @@ const fn codes() -> [u8; CELLS] {
     let mut code = 0;
     while cell < CELLS {
         let middle = (2 * cell as u32 + 1) << (LINEAR_BITS - CELL_BITS - 1);
-        while code < 255 && middle >= THRESHOLDS[code as usize] {
-            code += 1;
-        }
+        code = code_from(code, middle);
         table[cell] = code;
         cell += 1;
     }

@@ -1,7 +1,7 @@
 //! Linear light to 8-bit sRGB in one look-up: a tenth of a code less exact
 //! than [`srgb8`](super::srgb8), and quicker.
 
-use super::srgb::{LINEAR_BITS, THRESHOLDS};
+use super::srgb::{LINEAR_BITS, code_from};
 
 /// Cells below 1/16, each 2⁻¹⁴ wide; above it 2⁻¹².
 const DARK_CELLS: u32 = 1 << 10;
@@ -26,9 +26,7 @@ const fn codes() -> [u8; CELLS] {
         } else {
             (2 * (index - SKIPPED) + 1) << (LIGHT_SHIFT - 1)
         };
-        while code < 255 && middle >= THRESHOLDS[code as usize] {
-            code += 1;
-        }
+        code = code_from(code, middle);
         table[cell] = code;
         cell += 1;
     }

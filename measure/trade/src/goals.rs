@@ -98,9 +98,7 @@ const GOALS: [Goal; 7] = [
               without its part along N, each of them with a product, a rounding and a square of its own; \
               so many values need every register, whose saving is counted, too. A formula in the \
               cosines alone, 1 + L·V − 2(N·L)(N·V), would take nine products and half the rest, and \
-              lose the highlight's digits where 14-bit directions cancel. What would help is the \
-              instruction that multiplies two pairs of 16 bits at once (SMLAD): safe Rust has no \
-              name for it, and the compiler finds it only for arrays in memory.",
+              lose the highlight's digits where 14-bit directions cancel.",
     },
     Goal {
         title: "whole sphere pixel to RGB565, any n, at most one level off",
@@ -109,9 +107,8 @@ const GOALS: [Goal; 7] = [
         at_most: [60.0, 40.0, 36.0],
         parts: &["q15_sphere_normal", "q15_world_versine", "palette"],
         why: "It is the world-space evaluation with a root for the normal before it and a palette \
-              after it: the normal by itself takes the goal, or nearly. The goal is \
-              from a table over 1 + L·V − 2(N·L)(N·V), which is one level off for n = 20 alone and \
-              eight for n = 500: 14-bit directions cancel there. Where L and V are the same for all \
+              after it: the normal by itself takes the goal, or nearly. \
+              Where L and V are the same for all \
               pixels, 2(N·T)² + 2cos²θ(N·B)², T along L − V, B along L × V and θ half the angle \
               between L and V, cancels nowhere and takes fewer products; root, ratio, table and \
               palette remain.",
