@@ -4,26 +4,29 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
-use microbrdf_bits::{Sampled, checksums};
+use microbrdf_bits::{checksums, exposed_checksums};
 
 /// Pairs of directions for each model.
 const COUNT: usize = 100;
 
-/// The models' checksums, folded into 32 bits.
+/// Pairs of directions for each model with a light's gain in its table.
+const EXPOSED_COUNT: usize = 12;
+
+/// Checksums, folded into 32 bits.
 #[inline(always)]
-fn folded<A: Sampled>() -> u32 {
+fn folded(sums: impl FnOnce(&mut dyn FnMut(&'static str, u64))) -> u32 {
     let mut all = 0u64;
-    checksums::<A>(COUNT, &mut |_, sum| all = all.rotate_left(7) ^ sum);
+    sums(&mut |_, sum| all = all.rotate_left(7) ^ sum);
     (all ^ (all >> 32)) as u32
 }
 
 macro_rules! bits {
-    ($($function:ident: $arithmetic:ty;)+) => {$(
-        /// The checksum of every model in this arithmetic; the argument counts for nothing.
+    ($($function:ident: $sums:expr;)+) => {$(
+        /// The checksum of these models; the argument counts for nothing.
         #[allow(unsafe_code)]
         #[unsafe(export_name = concat!("bits_", stringify!($function)))]
         pub extern "C" fn $function(_: u32) -> u32 {
-            folded::<$arithmetic>()
+            folded($sums)
         }
     )+
 
@@ -37,10 +40,11 @@ macro_rules! bits {
 
 // Tables are built on the core, on a stack of a few KiB.
 bits! {
-    f32: F32;
-    micromath: Micromath;
-    q31: Q31<128>;
-    q15: Q15<65>;
+    f32: |sink| checksums::<F32>(COUNT, sink);
+    micromath: |sink| checksums::<Micromath>(COUNT, sink);
+    q31: |sink| checksums::<Q31<128>>(COUNT, sink);
+    q15: |sink| checksums::<Q15<65>>(COUNT, sink);
+    exposed: |sink| exposed_checksums(EXPOSED_COUNT, sink);
 }
 
 #[cfg(target_os = "none")]

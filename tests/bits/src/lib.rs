@@ -9,12 +9,14 @@
 
 mod arithmetic;
 mod digest;
+mod exposed;
 mod models;
 mod raw;
 mod samples;
 
 pub use arithmetic::Sampled;
 pub use digest::digest;
+pub use exposed::exposed_checksums;
 pub use models::checksums;
 pub use raw::{Checksum, Raw};
 pub use samples::{PairKind, Samples};

@@ -11,10 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from microbrdf_counter.bench import Fails
+from microbrdf_counter.differs import Differs
 from microbrdf_counter.ibex import build
 from microbrdf_counter.ibex import kernel as ibex_kernel
 from microbrdf_counter.ibex.simulator import CannotBuild
-from microbrdf_counter.kernel import Differs, measure
+from microbrdf_counter.kernel import measure
 from microbrdf_counter.machine import Stray
 from microbrdf_counter.results import compare
 from microbrdf_counter.rp2040 import compare as rp2040

@@ -7,13 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from microbrdf_counter.count import classes, costs, cycles
+from microbrdf_counter.differs import check
 from microbrdf_counter.image import Image
 from microbrdf_counter.machine import Machine, Stray
 from microbrdf_counter.timings import TIMINGS
-
-
-class Differs(Exception):
-    """A result is not the one that the host gives."""
 
 
 def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
@@ -38,14 +35,9 @@ def measure(path: Path, target: str, calls: dict[str, Any]) -> dict[str, Any]:
         for of_core in of_calls.values():
             of_core[name] = []
         for call in group["calls"]:
-            wanted = call["results"]
-            count = len(wanted) if call["in_memory"] else 0
+            count = len(call["results"]) if call["in_memory"] else 0
             trace = machine.call(call["arguments"], call["memory"], count)
-            if trace.results[: len(wanted)] != wanted:
-                raise Differs(
-                    f"{calls['kernel']} for {target} gives {trace.results} for "
-                    f"{call['arguments']} {call['memory']}, the host {wanted}"
-                )
+            check(f"{calls['kernel']} for {target}", call, trace.results)
             if trace.stack is None and calls.get("stack", True):
                 raise Stray(f"{calls['kernel']} moves the stack by what is not known")
             stack = max(stack, trace.stack or 0)

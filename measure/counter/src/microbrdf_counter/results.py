@@ -8,8 +8,8 @@ from typing import Any
 import unicorn
 from unicorn import riscv_const
 
+from microbrdf_counter.differs import check
 from microbrdf_counter.image import Image
-from microbrdf_counter.kernel import Differs
 from microbrdf_counter.machine import BASE, Machine, Stray
 
 _RISCV = "riscv32imc-unknown-none-elf"
@@ -36,10 +36,7 @@ def compare(path: Path, target: str, calls: dict[str, Any]) -> int:
                 found = [_riscv(image, arguments)]
             else:
                 found = machine.call(arguments, [], 0).results
-            if found != call["results"]:
-                raise Differs(
-                    f"{calls['kernel']} for {target} gives {found}, the host {call['results']}"
-                )
+            check(f"{calls['kernel']} for {target}", call, found)
             compared += 1
     return compared
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from microbrdf_counter.differs import check
 from microbrdf_counter.ibex.simulator import CLOCK_MODEL, CORE, Ibex
 from microbrdf_counter.image import Image
-from microbrdf_counter.kernel import Differs
 
 TARGET = "riscv32imc-unknown-none-elf"
 
@@ -27,14 +27,9 @@ def measure(program: Path, path: Path, calls: dict[str, Any]) -> dict[str, Any]:
             name = group["kind"]
             cycles[name], instructions[name] = [], []
             for call in group["calls"]:
-                wanted = call["results"]
-                count = len(wanted) if call["in_memory"] else 0
+                count = len(call["results"]) if call["in_memory"] else 0
                 done = core.call(call["arguments"], call["memory"], count)
-                if done.results[: len(wanted)] != wanted:
-                    raise Differs(
-                        f"{calls['kernel']} on Ibex gives {done.results} for "
-                        f"{call['arguments']} {call['memory']}, the host {wanted}"
-                    )
+                check(f"{calls['kernel']} on Ibex", call, done.results)
                 cycles[name].append(done.cycles)
                 instructions[name].append(done.instructions)
                 stack = max(stack, done.stack)
