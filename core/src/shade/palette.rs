@@ -10,7 +10,7 @@ const LIGHT_SHIFT: u32 = 24 - 8;
 /// Cells that a light one's index passes over.
 const SKIPPED: u32 = DARK_CELLS - (1 << 4);
 /// Number of entries; the last holds 1.0.
-const CELLS: usize = (SKIPPED + (1 << 8)) as usize + 1;
+pub(super) const CELLS: usize = (SKIPPED + (1 << 8)) as usize + 1;
 
 /// RGB565 codes of one tint from black to full, 738 bytes.
 ///
@@ -32,12 +32,7 @@ impl Palette565 {
         let mut codes = [0; CELLS];
         let mut cell = 0;
         while cell < CELLS {
-            let index = cell as u32;
-            let middle = if index < DARK_CELLS {
-                (2 * index + 1) << (DARK_SHIFT - 1)
-            } else {
-                (2 * (index - SKIPPED) + 1) << (LIGHT_SHIFT - 1)
-            };
+            let middle = middle(cell as u32);
             let light = if middle < LINEAR_ONE {
                 middle
             } else {
@@ -77,14 +72,28 @@ impl Palette565 {
     #[inline]
     #[must_use]
     pub fn at_short(&self, light: u16) -> u16 {
-        let light = u32::from(light);
-        let cell = if light < DARK_CELLS << (DARK_SHIFT - 8) {
-            light >> (DARK_SHIFT - 8)
-        } else {
-            (light >> (LIGHT_SHIFT - 8)) + SKIPPED
-        };
-        self.codes[cell as usize]
+        self.codes[cell(u32::from(light))]
     }
+}
+
+/// The middle of a cell, 24 fraction bits.
+pub(super) const fn middle(cell: u32) -> u32 {
+    if cell < DARK_CELLS {
+        (2 * cell + 1) << (DARK_SHIFT - 1)
+    } else {
+        (2 * (cell - SKIPPED) + 1) << (LIGHT_SHIFT - 1)
+    }
+}
+
+/// The cell of a number from 0 to 1 with 16 fraction bits.
+#[inline(always)]
+pub(super) fn cell(number: u32) -> usize {
+    let cell = if number < DARK_CELLS << (DARK_SHIFT - 8) {
+        number >> (DARK_SHIFT - 8)
+    } else {
+        (number >> (LIGHT_SHIFT - 8)) + SKIPPED
+    };
+    cell as usize
 }
 
 /// `channel` · `light`.

@@ -31,6 +31,12 @@ impl Short {
     }
 }
 
+/// A part of a row, in codes of RGB565.
+pub type Pixels = [u16; ROW];
+
+/// How many they are.
+const ROW: usize = 64;
+
 /// Linear red, green and blue, 24 fraction bits.
 pub type Light = [u32; 3];
 
@@ -60,6 +66,8 @@ pub enum Call {
     Half(extern "C" fn(u16) -> u32),
     /// As [`Self::Half`], the same for three channels.
     Halves(extern "C" fn(u16, u16, u16) -> u32),
+    /// A point in the middle, as [`Self::Number`] takes one, to a row's pixels.
+    Row(extern "C" fn(u32, &mut Pixels)),
     /// A number to a number.
     Number(extern "C" fn(u32) -> u32),
 }
@@ -136,6 +144,15 @@ impl Kernel {
         }
     }
 
+    /// How many pixels a call shades.
+    #[must_use]
+    pub fn pixels(&self) -> usize {
+        match self.call {
+            Call::Row(_) => ROW,
+            _ => 1,
+        }
+    }
+
     /// Calls the kernel here, and says how an emulator would call it with its
     /// memory at `base`.
     #[must_use]
@@ -196,6 +213,14 @@ impl Kernel {
                 let half = (n[0] >> 8).min(0xFFFF);
                 let result = function(half as u16, half as u16, half as u16);
                 (vec![half; 3], Vec::new(), vec![result])
+            }
+            Call::Row(function) => {
+                let mut pixels = [0; ROW];
+                function(n[0], &mut pixels);
+                let words = pixels
+                    .chunks(2)
+                    .map(|pair| u32::from(pair[0]) | u32::from(pair[1]) << 16);
+                (vec![n[0], base], Vec::new(), words.collect())
             }
             Call::Number(function) => (vec![n[0]], Vec::new(), vec![function(n[0])]),
         };

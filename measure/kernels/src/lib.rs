@@ -21,6 +21,7 @@ mod moon;
 pub mod plain;
 pub mod profile;
 pub mod sphere;
+pub mod sphere_row;
 mod steps;
 pub mod ways;
 
@@ -32,14 +33,14 @@ pub use registry::kernels;
 #[cfg(not(target_os = "none"))]
 mod registry {
     use crate::call::Kernel;
-    use crate::{exposed, models, plain, sphere, steps};
+    use crate::{exposed, models, plain, sphere, sphere_row, steps};
 
     /// Every kernel.
     pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         [
             models::KERNELS,
             plain::KERNELS,
-            &[exposed::KERNELS, steps::KERNELS, sphere::KERNELS],
+            &[exposed::KERNELS, steps::KERNELS, sphere::KERNELS, sphere_row::KERNELS],
         ]
         .into_iter()
         .flatten()

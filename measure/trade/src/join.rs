@@ -72,6 +72,9 @@ pub fn rows(
 fn row(kernel: &Kernel, counted: &Counted, core: &str, compiler: &str) -> Row {
     let cycles = &counted.cycles[core];
     let slow = counted.cycles.get(&format!("{core}{SLOW}"));
+    // Of a pixel, where a call shades a row of them.
+    let pixels = kernel.pixels() as f64;
+    let mean = |counts: &[u64]| mean(counts).map(|mean| rounded(mean / pixels, 10.0));
     let group = |name: &str| cycles.get(name).and_then(|cycles| mean(cycles));
     Row {
         kernel: kernel.name.to_owned(),
@@ -89,7 +92,8 @@ fn row(kernel: &Kernel, counted: &Counted, core: &str, compiler: &str) -> Row {
         .to_owned(),
         samples: "lobe".to_owned(),
         cycles_mean: group("lobe").unwrap_or_default(),
-        cycles_worst: cycles.values().flatten().copied().max().unwrap_or_default(),
+        cycles_worst: (cycles.values().flatten().copied().max().unwrap_or_default())
+            .div_ceil(kernel.pixels() as u64),
         cycles_outside: group("beyond"),
         cycles_unlit: group("unlit"),
         cycles_mean_slow_multiplier: slow.and_then(|slow| mean(slow.get("lobe")?)),

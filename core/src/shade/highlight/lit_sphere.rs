@@ -1,0 +1,286 @@
+//! A light's geometry on a sphere that is seen from afar.
+
+use super::lobe_colours::LobeColours;
+use crate::arithmetic::Q31;
+use crate::geometry::Direction;
+
+/// Fraction bits of a component.
+pub(super) const UNIT_BITS: u32 = 30;
+const UNIT: i64 = 1 << UNIT_BITS;
+/// Fraction bits of an offset over the cutoff's.
+pub(super) const OFFSET_BITS: u32 = 12;
+/// Fraction bits of the coefficients.
+pub(super) const COEFFICIENT_BITS: u32 = 28;
+/// cosθ below which the highlight is a hair at the sphere's edge.
+const DARK: i64 = UNIT >> 6;
+/// Fraction bits of 2sinθ · cutoff/z.
+pub(super) const SLOPE_BITS: u32 = 11;
+/// Fraction bits of a step of z².
+pub(super) const STEP_BITS: u32 = 18;
+/// The first so many steps of z² are parted, each in `1 << FINE_BITS`.
+const FINE: u32 = 16;
+const FINE_BITS: u32 = 3;
+const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
+
+/// A unit sphere, seen along −z from afar, under one distant light: what
+/// [`Self::row`] needs of the light and of the lobe's width, 1 KiB and a few
+/// words.
+///
+/// With θ half of the angle between L and V, and the normal's components d
+/// along L − V and b along V × L, 1 − R·V = 2d² + 2cos²θ·b²: a sum of squares,
+/// so that 16 bits are enough for a lobe of any width. N·L < N·V where d < 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LitSphere<const STEPS: usize = 256> {
+    /// Over steps of z²: in the lower half d's part along z, 12 fraction bits of
+    /// the cutoff's; in the upper 2sinθ · cutoff/z.
+    cells: [u32; STEPS],
+    /// The same over parts of the first steps: z falls steeply at the edge.
+    edge: [u32; FINE_CELLS],
+    /// cosθ times the highlight's azimuth, over the cutoff's mantissa.
+    pub(super) azimuth: [i32; 2],
+    /// What is taken from d, in the same unit.
+    pub(super) height: i32,
+    /// How much smaller the cutoff is than that mantissa, in halvings.
+    pub(super) narrowness: u32,
+    /// z² where `cells` begins, and the binary logarithm of its steps.
+    pub(super) lowest: i32,
+    pub(super) step_bits: u32,
+    /// From where to where the lobe reaches along the azimuth.
+    pub(super) along: [i32; 2],
+    /// How far across it.
+    pub(super) across: i32,
+}
+
+impl<const STEPS: usize> LitSphere<STEPS> {
+    /// The light in the direction `l`, of any length, for the lobe of `colours`.
+    #[must_use]
+    pub const fn new<const COLOURS: usize>(
+        colours: &LobeColours<COLOURS>,
+        l: Direction<Q31>,
+    ) -> Self {
+        let angle = Angle::new([
+            l.x.to_bits() as i64,
+            l.y.to_bits() as i64,
+            l.z.to_bits() as i64,
+        ]);
+        let (sine, cosine) = (angle.sine, angle.cosine);
+        let radius = colours.radius as i64;
+        // 1/radius as a mantissa from 1 to 2 and halvings.
+        let narrowness = colours.radius.leading_zeros();
+        let mantissa = (1i64 << (32 + COEFFICIENT_BITS)) / (radius << narrowness);
+
+        let lobe = Lobe::new(&angle, radius);
+        let [low, high] = lobe.heights;
+        let lowest = (low * low) >> UNIT_BITS;
+        let mut step_bits = 0;
+        while ((high * high) >> UNIT_BITS) - lowest >= (STEPS as i64 + FINE as i64) << step_bits
+            // Nor must it wrap round where the lobe is sought.
+            || lobe.farthest(lowest) >> step_bits >= 1 << (31 - STEP_BITS)
+        {
+            step_bits += 1;
+        }
+        let middle = (low + high) / 2;
+        let tilt = product(sine, mantissa);
+        let height = Height {
+            tilt,
+            middle,
+            narrowness,
+            steepness: (2 * sine * radius) >> 32,
+        };
+        let mut cells = [0; STEPS];
+        let mut cell = 0;
+        while cell < STEPS {
+            let steps = 2 * (cell as i64 + FINE as i64) + 1;
+            cells[cell] = height.word(lowest + (steps << step_bits) / 2);
+            cell += 1;
+        }
+        let mut edge = [0; FINE_CELLS];
+        let mut cell = 0;
+        while cell < FINE_CELLS {
+            let part = ((2 * cell as i64 + 1) << step_bits) >> FINE_BITS;
+            edge[cell] = height.word(lowest + part / 2);
+            cell += 1;
+        }
+        let scaled = product(cosine, mantissa);
+        Self {
+            cells,
+            edge,
+            azimuth: [
+                product(scaled, angle.azimuth[0]) as i32,
+                product(scaled, angle.azimuth[1]) as i32,
+            ],
+            height: product(tilt, middle) as i32,
+            narrowness,
+            lowest: (lowest + ((FINE as i64) << step_bits)) as i32,
+            step_bits,
+            // Nothing for a light behind.
+            along: if cosine < DARK {
+                [1, 0]
+            } else {
+                [
+                    product(scaled, lobe.along[0]) as i32,
+                    product(scaled, lobe.along[1]) as i32,
+                ]
+            },
+            across: (1 << COEFFICIENT_BITS) >> narrowness,
+        }
+    }
+}
+
+impl<const STEPS: usize> LitSphere<STEPS> {
+    /// The word at z², less the least and the first steps.
+    #[inline(always)]
+    pub(super) fn at(&self, square: i32) -> u32 {
+        match self.cells.get((square >> STEP_BITS) as usize) {
+            Some(cell) => *cell,
+            None => self.at_edge(square),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn at_edge(&self, square: i32) -> u32 {
+        let square = square.wrapping_add((FINE << STEP_BITS) as i32);
+        match self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize) {
+            Some(cell) => *cell,
+            None => BEYOND,
+        }
+    }
+}
+
+/// A word whose d is beyond any lobe.
+const BEYOND: u32 = 0x8000;
+
+/// What a word is made of.
+struct Height {
+    /// sinθ over the cutoff's mantissa.
+    tilt: i64,
+    middle: i64,
+    narrowness: u32,
+    /// 2sinθ · cutoff.
+    steepness: i64,
+}
+
+impl Height {
+    const fn word(&self, square: i64) -> u32 {
+        let z = if square < UNIT {
+            (square << UNIT_BITS).isqrt()
+        } else {
+            UNIT
+        };
+        let doubled = (product(self.tilt, self.middle - z) << self.narrowness)
+            >> (COEFFICIENT_BITS - OFFSET_BITS - 1);
+        let offset = clamp((doubled + 1) >> 1, i16::MIN as i64, i16::MAX as i64);
+        let slope = (self.steepness << SLOPE_BITS) / if z > 0 { z } else { 1 };
+        (clamp(slope, 0, u16::MAX as i64) as u32) << 16 | (offset as i16 as u16) as u32
+    }
+}
+
+/// Half of the angle between L and V = +z, 30 fraction bits.
+struct Angle {
+    sine: i64,
+    cosine: i64,
+    /// Of L in the picture, of length 1.
+    azimuth: [i64; 2],
+}
+
+impl Angle {
+    const fn new([x, y, z]: [i64; 3]) -> Self {
+        let length = ((x * x) as u64 + (y * y) as u64 + (z * z) as u64).isqrt() as i64;
+        if length == 0 {
+            return Self {
+                sine: UNIT,
+                cosine: 0,
+                azimuth: [UNIT, 0],
+            };
+        }
+        let [x, y, z] = [
+            (x << UNIT_BITS) / length,
+            (y << UNIT_BITS) / length,
+            (z << UNIT_BITS) / length,
+        ];
+        let across = (x * x + y * y).isqrt();
+        // The greater of the two first; the other by sin 2θ.
+        let (sine, cosine) = if z >= 0 {
+            let cosine = ((UNIT + z) << (UNIT_BITS - 1)).isqrt();
+            ((across << UNIT_BITS) / (2 * cosine), cosine)
+        } else {
+            let sine = ((UNIT - z) << (UNIT_BITS - 1)).isqrt();
+            (sine, (across << UNIT_BITS) / (2 * sine))
+        };
+        // At the pole any azimuth will do.
+        let azimuth = if across < 16 {
+            [UNIT, 0]
+        } else {
+            [(x << UNIT_BITS) / across, (y << UNIT_BITS) / across]
+        };
+        Self {
+            sine,
+            cosine,
+            azimuth,
+        }
+    }
+
+}
+
+/// Where a lobe is seen, 30 fraction bits.
+struct Lobe {
+    heights: [i64; 2],
+    along: [i64; 2],
+    /// Across the azimuth, at most.
+    across: i64,
+}
+
+impl Lobe {
+    /// That whose d is at most `radius`, 32 fraction bits.
+    const fn new(angle: &Angle, radius: i64) -> Self {
+        let (sine, cosine) = (angle.sine, angle.cosine);
+        let across = if cosine > 0 {
+            (radius << (UNIT_BITS - 2)) / cosine
+        } else {
+            2 * UNIT
+        };
+        // The least N·h.
+        let least = if across < UNIT {
+            (UNIT * UNIT - across * across).isqrt()
+        } else {
+            0
+        };
+        let (aside, down) = ((cosine * radius) >> 32, (sine * radius) >> 32);
+        Self {
+            heights: [
+                clamp(product(cosine, least) - down, 0, UNIT - 1),
+                clamp(cosine + down, 0, UNIT - 1),
+            ],
+            along: [
+                clamp(product(sine, least) - aside, -UNIT, UNIT),
+                clamp(sine + aside, -UNIT, UNIT),
+            ],
+            across: if across < 2 * UNIT { across } else { 2 * UNIT },
+        }
+    }
+
+    /// How far z² is from `lowest` at most, for points within the lobe's reach.
+    const fn farthest(&self, lowest: i64) -> i64 {
+        let [from, to] = self.along;
+        let nearest = if from > 0 { from } else if to < 0 { to } else { 0 };
+        let greatest = if to > -from { to } else { -from };
+        let above = UNIT - product(nearest, nearest) - lowest;
+        let below = lowest + product(greatest, greatest) + product(self.across, self.across) - UNIT;
+        if above > below { above } else { below }
+    }
+}
+
+const fn product(a: i64, b: i64) -> i64 {
+    (a * b) >> UNIT_BITS
+}
+
+const fn clamp(value: i64, least: i64, most: i64) -> i64 {
+    if value < least {
+        least
+    } else if value > most {
+        most
+    } else {
+        value
+    }
+}

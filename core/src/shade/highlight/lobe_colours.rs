@@ -1,0 +1,151 @@
+//! What a metallic lobe shows under one light, by the versine.
+
+use fixed::types::U32F32;
+
+use crate::arithmetic::exponent;
+use crate::colour::Rgb;
+use crate::error::ParameterError;
+use crate::shade::Linear;
+use crate::table::integer::{
+    ONE, divide, exp_neg, neg_ln_one_minus, power_of_one_minus, round_to,
+};
+
+/// Fraction bits of x over its cutoff.
+pub(super) const SUM_BITS: u32 = 24;
+/// Fraction bits of what a ratio is less than 1.
+pub(super) const LESS_BITS: u32 = 23;
+/// Steps of the ratio of two cosines.
+const RATIO_BITS: u32 = 9;
+const RATIOS: usize = 1 << RATIO_BITS;
+/// Fraction bits of a shift.
+const SHIFT_BITS: u32 = 15;
+/// Light, 64 fraction bits, that no channel of RGB565 shows: half of the
+/// least level of green.
+const UNSEEN: u128 = ONE / 1640;
+
+/// RGB565 codes of K · cosⁿα · cosΘL/cosΘmin (3.7), in `CELLS` steps of
+/// x = 1 − cosα from the mirror direction to where nothing is seen.
+///
+/// Where cosΘL is less than cosΘV the ratio of the two dims the lobe as much as
+/// a greater x would, by a second table. 2 · `CELLS` + 1032 bytes, the same in
+/// flash and filled at start-up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LobeColours<const CELLS: usize = 256> {
+    colours: [u16; CELLS],
+    /// By how much a ratio moves x, in cutoffs; by what it is less than 1.
+    shifts: [u16; RATIOS],
+    /// The cutoff, 15 fraction bits.
+    cutoff: u32,
+    /// √(cutoff/2), 32 fraction bits.
+    pub(super) radius: u32,
+}
+
+impl<const CELLS: usize> LobeColours<CELLS> {
+    const CELL_SHIFT: u32 = SUM_BITS - CELLS.ilog2();
+
+    /// The lobe of exponent `n` with the gain K of each channel.
+    ///
+    /// # Errors
+    /// `n` outside 1 to 1e8.
+    pub const fn new(n: U32F32, gain: Rgb<U32F32>) -> Result<Self, ParameterError> {
+        const { assert!(CELLS.is_power_of_two() && CELLS <= 4096) }
+        let n = match exponent::fixed(n) {
+            Ok(n) if n > 0 => n,
+            _ => return Err(ParameterError::new("exponent", "a number from 1 to 1e8")),
+        };
+        let gain = [gain.r.to_bits(), gain.g.to_bits(), gain.b.to_bits()];
+        let cutoff = cutoff(n, gain);
+        let mut colours = [0; CELLS];
+        let mut cell = 0;
+        while cell < CELLS {
+            let x = (cutoff as u128 * (2 * cell as u128 + 1)) >> (CELLS.ilog2() + 1);
+            let share = power_of_one_minus(x as u64, n);
+            colours[cell] = Linear::from_raw(
+                light(gain[0], share),
+                light(gain[1], share),
+                light(gain[2], share),
+            )
+            .rgb565();
+            cell += 1;
+        }
+        let mut shifts = [0; RATIOS];
+        let mut cell = 0;
+        while cell < RATIOS {
+            shifts[cell] = shift(cell as u64, n, cutoff);
+            cell += 1;
+        }
+        Ok(Self {
+            colours,
+            shifts,
+            cutoff: round_to(cutoff as u128, SHIFT_BITS),
+            radius: (cutoff >> 1).isqrt() as u32,
+        })
+    }
+
+    /// The code at x, in cutoffs with 24 fraction bits; black beyond.
+    #[inline(always)]
+    pub(super) fn at(&self, x: u32) -> u16 {
+        match self.colours.get((x >> Self::CELL_SHIFT) as usize) {
+            Some(code) => *code,
+            None => 0,
+        }
+    }
+
+    /// The same with a ratio of the cosines below 1, less by `less` in units of
+    /// 2⁻²³; `x` below 1.
+    #[inline(always)]
+    pub(super) fn dimmed(&self, x: u32, less: u32) -> u16 {
+        let Some(shift) = self.shifts.get((less >> (LESS_BITS - RATIO_BITS)) as usize) else {
+            return 0;
+        };
+        // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − x)(1 − ρ).
+        let x_c = ((x >> (SUM_BITS - SHIFT_BITS)).wrapping_mul(self.cutoff)) >> SHIFT_BITS;
+        let rest = (1u32 << SHIFT_BITS).wrapping_sub(x_c);
+        let shift = u32::from(*shift).wrapping_mul(rest) >> (2 * SHIFT_BITS - SUM_BITS);
+        self.at(x.wrapping_add(shift))
+    }
+}
+
+/// x, 64 fraction bits, beyond which `UNSEEN` is more than the light.
+const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
+    let mut most = 0;
+    let mut channel = 0;
+    while channel < 3 {
+        if gain[channel] > most {
+            most = gain[channel];
+        }
+        channel += 1;
+    }
+    let least = divide(UNSEEN << 32, most as u128);
+    // An unseen lobe has a cutoff all the same.
+    let y = if most == 0 || least >= ONE / 2 {
+        ONE / 2
+    } else {
+        neg_ln_one_minus((ONE - least) as u64)
+    };
+    let cutoff = ONE - exp_neg(divide(y << 32, n as u128));
+    if cutoff < ONE { cutoff as u64 } else { u64::MAX }
+}
+
+/// Linear light of 24 fraction bits.
+const fn light(gain: u64, share: u128) -> u32 {
+    // 32 and 40 fraction bits.
+    let light = (gain as u128 * (share >> 24)) >> 48;
+    if light < u32::MAX as u128 {
+        light as u32
+    } else {
+        u32::MAX
+    }
+}
+
+/// (1 − r^(1/n))/x_c for the middle of a step of the ratio r, from 1 down.
+const fn shift(step: u64, n: u64, cutoff: u64) -> u16 {
+    let less = (2 * step + 1) << (63 - RATIO_BITS);
+    let y = divide(neg_ln_one_minus(less) << 32, n as u128);
+    let moved = divide((ONE - exp_neg(y)) << SHIFT_BITS, cutoff as u128);
+    if moved < u16::MAX as u128 {
+        moved as u16
+    } else {
+        u16::MAX
+    }
+}

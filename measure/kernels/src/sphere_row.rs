@@ -1,0 +1,79 @@
+//! Rows of a sphere that is seen from afar, straight to the display's codes.
+
+use fixed::types::{I2F30, U32F32};
+use microbrdf::arithmetic::Q31;
+use microbrdf::geometry::Direction;
+use microbrdf::shade::{LINEAR_ONE, LitSphere, LobeColours};
+use microbrdf::{Rgb, constant};
+
+#[cfg(not(target_os = "none"))]
+use crate::call::{Call, Kernel};
+use crate::call::Pixels;
+use crate::models::lobe_peak;
+use crate::sphere::{LIGHT, TINT};
+use crate::ways::q15::number;
+
+/// Distance of two pixels, 30 fraction bits of the radius: so near that all of
+/// a row are in a lobe whose middle one is.
+pub const STEP: i32 = 1 << 17;
+
+/// K of each channel.
+const fn gain(k: f64) -> Rgb<U32F32> {
+    Rgb {
+        r: number(k * TINT[0] as f64 / LINEAR_ONE as f64),
+        g: number(k * TINT[1] as f64 / LINEAR_ONE as f64),
+        b: number(k * TINT[2] as f64 / LINEAR_ONE as f64),
+    }
+}
+
+/// The light's direction, from 14 fraction bits.
+const fn light() -> Direction<Q31> {
+    Direction {
+        x: I2F30::from_bits((LIGHT[0] as i32) << 16),
+        y: I2F30::from_bits((LIGHT[1] as i32) << 16),
+        z: I2F30::from_bits((LIGHT[2] as i32) << 16),
+    }
+}
+
+macro_rules! rows {
+    ($($module:ident $symbol:literal $n:literal $k:expr, $exposure:literal $fields:literal)+) => {
+        $(mod $module {
+            use super::*;
+
+            static COLOURS: LobeColours<512> = constant!(LobeColours::new(number($n), gain($k)));
+            static LIT: LitSphere<512> = LitSphere::new(&COLOURS, light());
+
+            #[doc = $symbol]
+            #[allow(unsafe_code)]
+            #[unsafe(export_name = $symbol)]
+            pub extern "C" fn row(middle: u32, pixels: &mut Pixels) {
+                let half = |bits: u32| i32::from(bits as u16 as i16) << 16;
+                let x = half(middle) - STEP * (pixels.len() / 2) as i32;
+                let start = [x, half(middle >> 16)].map(I2F30::from_bits);
+                LIT.row(&COLOURS, start, I2F30::from_bits(STEP), pixels);
+            }
+        })+
+
+        /// What they are.
+        #[cfg(not(target_os = "none"))]
+        pub(crate) const KERNELS: &[Kernel] = &[$(Kernel {
+            name: $symbol,
+            arithmetic: "q15",
+            variant: "core, rows, 512 colours, 512 steps",
+            model: "sphere",
+            fields: $fields,
+            width: $n,
+            exposure: $exposure,
+            k: $k,
+            call: Call::Row($module::row),
+        }),+];
+    };
+}
+
+rows! {
+    row_20_k1 "q15_sphere_row_20" 20.0 1.0, "1" "exponent = 20"
+    row_20_kc "q15_sphere_row_20_kc" 20.0 lobe_peak(20.0), "c" "exponent = 20"
+    row_500_k1 "q15_sphere_row_500" 500.0 1.0, "1" "exponent = 500"
+    row_500_kc "q15_sphere_row_500_kc" 500.0 lobe_peak(500.0), "c" "exponent = 500"
+    row_5000_k1 "q15_sphere_row_5000" 5000.0 1.0, "1" "exponent = 5000"
+}
