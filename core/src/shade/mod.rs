@@ -34,7 +34,7 @@ pub use camera::Camera;
 pub use checker::Checker;
 pub use extent::Extent;
 pub use grey::{grey16, grey16_nearest};
-pub use highlight::{LitSphere, LobeColours};
+pub use highlight::{LitSphere, LobeColours, SphereRows};
 pub use light::{Beam, Dimmed, FloodLight, Light, PointLight};
 pub use linear::{LINEAR_ONE, Linear};
 pub use octahedral::Octahedral;

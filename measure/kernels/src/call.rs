@@ -1,5 +1,8 @@
 //! How a kernel is called, and what is known of it.
 
+#[cfg(not(target_os = "none"))]
+use crate::sphere_row::{HIGH, Tile, WIDE};
+
 /// Three components of 32 bits, an `f32` or a fixed-point number, behind a
 /// pointer.
 pub type Vector<'a> = &'a [u32; 3];
@@ -31,12 +34,6 @@ impl Short {
     }
 }
 
-/// A part of a row, in codes of RGB565.
-pub type Pixels = [u16; ROW];
-
-/// How many they are.
-const ROW: usize = 64;
-
 /// Linear red, green and blue, 24 fraction bits.
 pub type Light = [u32; 3];
 
@@ -66,8 +63,8 @@ pub enum Call {
     Half(extern "C" fn(u16) -> u32),
     /// As [`Self::Half`], the same for three channels.
     Halves(extern "C" fn(u16, u16, u16) -> u32),
-    /// A point in the middle, as [`Self::Number`] takes one, to a row's pixels.
-    Row(extern "C" fn(u32, &mut Pixels)),
+    /// A point in the middle, as [`Self::Number`] takes one, to rows of pixels.
+    Rows(extern "C" fn(u32, &mut Tile)),
     /// A number to a number.
     Number(extern "C" fn(u32) -> u32),
 }
@@ -148,7 +145,7 @@ impl Kernel {
     #[must_use]
     pub fn pixels(&self) -> usize {
         match self.call {
-            Call::Row(_) => ROW,
+            Call::Rows(_) => WIDE * HIGH,
             _ => 1,
         }
     }
@@ -214,10 +211,11 @@ impl Kernel {
                 let result = function(half as u16, half as u16, half as u16);
                 (vec![half; 3], Vec::new(), vec![result])
             }
-            Call::Row(function) => {
-                let mut pixels = [0; ROW];
+            Call::Rows(function) => {
+                let mut pixels = [[0; WIDE]; HIGH];
                 function(n[0], &mut pixels);
                 let words = pixels
+                    .as_flattened()
                     .chunks(2)
                     .map(|pair| u32::from(pair[0]) | u32::from(pair[1]) << 16);
                 (vec![n[0], base], Vec::new(), words.collect())

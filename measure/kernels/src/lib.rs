@@ -40,7 +40,12 @@ mod registry {
         [
             models::KERNELS,
             plain::KERNELS,
-            &[exposed::KERNELS, steps::KERNELS, sphere::KERNELS, sphere_row::KERNELS],
+            &[
+                exposed::KERNELS,
+                steps::KERNELS,
+                sphere::KERNELS,
+                sphere_row::KERNELS,
+            ],
         ]
         .into_iter()
         .flatten()

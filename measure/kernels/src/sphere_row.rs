@@ -1,4 +1,5 @@
-//! Rows of a sphere that is seen from afar, straight to the display's codes.
+//! A tile of a sphere that is seen from afar, row after row, straight to the
+//! display's codes.
 
 use fixed::types::{I2F30, U32F32};
 use microbrdf::arithmetic::Q31;
@@ -8,14 +9,20 @@ use microbrdf::{Rgb, constant};
 
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
-use crate::call::Pixels;
 use crate::models::lobe_peak;
 use crate::sphere::{LIGHT, TINT};
 use crate::ways::q15::number;
 
 /// Distance of two pixels, 30 fraction bits of the radius: so near that all of
-/// a row are in a lobe whose middle one is.
+/// a tile are in a lobe whose middle one is, but at its end.
 pub const STEP: i32 = 1 << 17;
+/// Pixels of a tile's row.
+pub const WIDE: usize = 64;
+/// Rows of a tile.
+pub const HIGH: usize = 16;
+
+/// A tile: codes of RGB565, row after row.
+pub type Tile = [[u16; WIDE]; HIGH];
 
 /// K of each channel.
 const fn gain(k: f64) -> Rgb<U32F32> {
@@ -46,11 +53,18 @@ macro_rules! rows {
             #[doc = $symbol]
             #[allow(unsafe_code)]
             #[unsafe(export_name = $symbol)]
-            pub extern "C" fn row(middle: u32, pixels: &mut Pixels) {
+            pub extern "C" fn row(middle: u32, pixels: &mut Tile) {
                 let half = |bits: u32| i32::from(bits as u16 as i16) << 16;
-                let x = half(middle) - STEP * (pixels.len() / 2) as i32;
-                let start = [x, half(middle >> 16)].map(I2F30::from_bits);
-                LIT.row(&COLOURS, start, I2F30::from_bits(STEP), pixels);
+                let x = half(middle) - STEP * (WIDE / 2) as i32;
+                let y = half(middle >> 16) + STEP * (HIGH / 2) as i32;
+                let mut rows = LIT.rows(
+                    &COLOURS,
+                    [x, y].map(I2F30::from_bits),
+                    [STEP, -STEP].map(I2F30::from_bits),
+                );
+                for row in pixels {
+                    rows.shade(row);
+                }
             }
         })+
 
@@ -65,7 +79,7 @@ macro_rules! rows {
             width: $n,
             exposure: $exposure,
             k: $k,
-            call: Call::Row($module::row),
+            call: Call::Rows($module::row),
         }),+];
     };
 }

@@ -46,7 +46,9 @@ pub struct Called {
 /// FPU, a call in single precision takes ten thousand instructions.
 #[must_use]
 pub fn count(kernel: &Kernel, count: usize) -> usize {
-    if kernel.arithmetic.starts_with('q') || kernel.arithmetic == "integer" {
+    if kernel.pixels() > 1 {
+        count / 4
+    } else if kernel.arithmetic.starts_with('q') || kernel.arithmetic == "integer" {
         count
     } else {
         (count / 4).max(16)

@@ -1,6 +1,7 @@
 //! The pixels of a sphere, in a display's own levels.
 
 use microbrdf_kernels::sphere::{LIGHT, TINT};
+use microbrdf_kernels::sphere_row::{HIGH, STEP, WIDE};
 use microbrdf_kernels::{Input, Kernel};
 use microbrdf_reference::models::{Energy, MetallicPhong};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
@@ -31,7 +32,8 @@ pub fn points(kernel: &Kernel, place: Place) -> Vec<Input> {
     for y in -STEPS..=STEPS {
         for x in -STEPS..=STEPS {
             let point = [x * step, y * step];
-            if normal(point).is_some_and(|normal| self::place(kernel, normal) == place) {
+            let exact = point.map(|c| f64::from(c) / f64::from(1 << 14));
+            if normal(exact).is_some_and(|normal| self::place(kernel, normal) == place) {
                 let mut input = Input::default();
                 let half = |c: i32| u32::from(c as i16 as u16);
                 input.vectors[0][0] = half(point[0]) | half(point[1]) << 16;
@@ -51,7 +53,11 @@ pub fn some(points: &[Input], count: usize) -> Vec<Input> {
         .collect()
 }
 
-/// The errors of a kernel over every point, in levels of RGB565.
+/// Tiles of each place that a kernel of rows is graded on.
+const TILES: usize = 200;
+
+/// The errors of a kernel in levels of RGB565: over every point, or over all
+/// pixels of many tiles.
 ///
 /// # Panics
 /// If the kernel's exponent is none.
@@ -59,20 +65,48 @@ pub fn some(points: &[Input], count: usize) -> Vec<Input> {
 pub fn measure(kernel: &Kernel) -> Errors {
     let model = MetallicPhong::new(kernel.width, Energy::Published).expect("a kernel's exponent");
     let mut tally = Tally::new("lobe");
+    let mut grade = |code: u32, point: [f64; 2]| {
+        let [l, v] = frame(normal(point).expect("a point within the outline"));
+        let direction = |[x, y, z]: [f64; 3]| Direction::new(x, y, z);
+        let rho = kernel.k * model.rho(&direction(l), &direction(v))[0];
+        let levels = [code >> 11, (code >> 5) & 63, code & 31];
+        for ((level, tint), greatest) in levels.into_iter().zip(TINT).zip([31.0, 63.0, 31.0]) {
+            let linear = (rho * f64::from(tint) / f64::from(1 << 24)).clamp(0.0, 1.0);
+            tally.add_level(level as u8, greatest * encode_srgb(linear), greatest as u8);
+        }
+    };
     for place in [Place::Lobe, Place::Beyond, Place::Unlit] {
-        for input in points(kernel, place) {
-            let [l, v] = pair(&input);
-            let direction = |[x, y, z]: [f64; 3]| Direction::new(x, y, z);
-            let rho = model.rho(&direction(l), &direction(v))[0].clamp(0.0, 1.0);
-            let code = kernel.run(&input, 0).results[0];
-            let levels = [code >> 11, (code >> 5) & 63, code & 31];
-            for ((level, tint), greatest) in levels.into_iter().zip(TINT).zip([31.0, 63.0, 31.0]) {
-                let linear = rho * f64::from(tint) / f64::from(1 << 24);
-                tally.add_level(level as u8, greatest * encode_srgb(linear), greatest as u8);
+        let points = points(kernel, place);
+        if kernel.pixels() == 1 {
+            for input in points {
+                grade(kernel.run(&input, 0).results[0], position(&input));
+            }
+            continue;
+        }
+        for input in some(&points, TILES) {
+            let words = kernel.run(&input, 0).results;
+            for (index, code) in
+                (words.iter().flat_map(|word| [word & 0xFFFF, word >> 16])).enumerate()
+            {
+                let point = in_tile(position(&input), index);
+                // The tile's corners may be beside the sphere.
+                if normal(point).is_some() {
+                    grade(code, point);
+                }
             }
         }
     }
     tally.errors()
+}
+
+/// Where a pixel of a tile about a point is.
+fn in_tile([x, y]: [f64; 2], index: usize) -> [f64; 2] {
+    let step = f64::from(STEP) / f64::from(1 << 30);
+    let [column, row] = [index % WIDE, index / WIDE].map(|i| i as f64);
+    [
+        x + (column - WIDE as f64 / 2.0) * step,
+        y - (row - HIGH as f64 / 2.0) * step,
+    ]
 }
 
 fn place(kernel: &Kernel, normal: [f64; 3]) -> Place {
@@ -88,16 +122,15 @@ fn place(kernel: &Kernel, normal: [f64; 3]) -> Place {
 }
 
 /// The exact normal of a point.
-fn normal([x, y]: [i32; 2]) -> Option<[f64; 3]> {
-    let [x, y] = [x, y].map(|c| f64::from(c) / f64::from(1 << 14));
+fn normal([x, y]: [f64; 2]) -> Option<[f64; 3]> {
     let square = 1.0 - x * x - y * y;
     (square > 0.0).then(|| [x, y, square.sqrt()])
 }
 
-fn pair(input: &Input) -> Pair {
+/// A kernel's point in radii.
+fn position(input: &Input) -> [f64; 2] {
     let point = input.vectors[0][0];
-    let half = |bits: u32| i32::from(bits as u16 as i16);
-    frame(normal([half(point), half(point >> 16)]).expect("a point within the outline"))
+    [point, point >> 16].map(|bits| f64::from(bits as u16 as i16) / f64::from(1 << 14))
 }
 
 /// L and V about a normal.

@@ -23,8 +23,8 @@ const FINE_BITS: u32 = 3;
 const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 
 /// A unit sphere, seen along −z from afar, under one distant light: what
-/// [`Self::row`] needs of the light and of the lobe's width, 1 KiB and a few
-/// words.
+/// [`Self::rows`] needs of the light and of the lobe's width, 4 · `STEPS` + 548
+/// bytes.
 ///
 /// With θ half of the angle between L and V, and the normal's components d
 /// along L − V and b along V × L, 1 − R·V = 2d² + 2cos²θ·b²: a sum of squares,
@@ -67,7 +67,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         let radius = colours.radius as i64;
         // 1/radius as a mantissa from 1 to 2 and halvings.
         let narrowness = colours.radius.leading_zeros();
-        let mantissa = (1i64 << (32 + COEFFICIENT_BITS)) / (radius << narrowness);
+        let mantissa = quotient(1 << (32 + COEFFICIENT_BITS), radius << narrowness);
 
         let lobe = Lobe::new(&angle, radius);
         let [low, high] = lobe.heights;
@@ -164,14 +164,14 @@ struct Height {
 impl Height {
     const fn word(&self, square: i64) -> u32 {
         let z = if square < UNIT {
-            (square << UNIT_BITS).isqrt()
+            root(square << UNIT_BITS)
         } else {
             UNIT
         };
         let doubled = (product(self.tilt, self.middle - z) << self.narrowness)
             >> (COEFFICIENT_BITS - OFFSET_BITS - 1);
         let offset = clamp((doubled + 1) >> 1, i16::MIN as i64, i16::MAX as i64);
-        let slope = (self.steepness << SLOPE_BITS) / if z > 0 { z } else { 1 };
+        let slope = quotient(self.steepness << SLOPE_BITS, if z > 0 { z } else { 1 });
         (clamp(slope, 0, u16::MAX as i64) as u32) << 16 | (offset as i16 as u16) as u32
     }
 }
@@ -186,7 +186,9 @@ struct Angle {
 
 impl Angle {
     const fn new([x, y, z]: [i64; 3]) -> Self {
-        let length = ((x * x) as u64 + (y * y) as u64 + (z * z) as u64).isqrt() as i64;
+        // Below 2⁶⁴: a component is at most 2³¹.
+        let square = (x * x) as u64 + (y * y) as u64 + (z * z) as u64;
+        let length = square.isqrt() as i64;
         if length == 0 {
             return Self {
                 sine: UNIT,
@@ -195,24 +197,27 @@ impl Angle {
             };
         }
         let [x, y, z] = [
-            (x << UNIT_BITS) / length,
-            (y << UNIT_BITS) / length,
-            (z << UNIT_BITS) / length,
+            quotient(x << UNIT_BITS, length),
+            quotient(y << UNIT_BITS, length),
+            quotient(z << UNIT_BITS, length),
         ];
-        let across = (x * x + y * y).isqrt();
+        let across = root(x * x + y * y);
         // The greater of the two first; the other by sin 2θ.
         let (sine, cosine) = if z >= 0 {
-            let cosine = ((UNIT + z) << (UNIT_BITS - 1)).isqrt();
-            ((across << UNIT_BITS) / (2 * cosine), cosine)
+            let cosine = root((UNIT + z) << (UNIT_BITS - 1));
+            (quotient(across << UNIT_BITS, 2 * cosine), cosine)
         } else {
-            let sine = ((UNIT - z) << (UNIT_BITS - 1)).isqrt();
-            (sine, (across << UNIT_BITS) / (2 * sine))
+            let sine = root((UNIT - z) << (UNIT_BITS - 1));
+            (sine, quotient(across << UNIT_BITS, 2 * sine))
         };
         // At the pole any azimuth will do.
         let azimuth = if across < 16 {
             [UNIT, 0]
         } else {
-            [(x << UNIT_BITS) / across, (y << UNIT_BITS) / across]
+            [
+                quotient(x << UNIT_BITS, across),
+                quotient(y << UNIT_BITS, across),
+            ]
         };
         Self {
             sine,
@@ -220,7 +225,6 @@ impl Angle {
             azimuth,
         }
     }
-
 }
 
 /// Where a lobe is seen, 30 fraction bits.
@@ -236,13 +240,13 @@ impl Lobe {
     const fn new(angle: &Angle, radius: i64) -> Self {
         let (sine, cosine) = (angle.sine, angle.cosine);
         let across = if cosine > 0 {
-            (radius << (UNIT_BITS - 2)) / cosine
+            quotient(radius << (UNIT_BITS - 2), cosine)
         } else {
             2 * UNIT
         };
         // The least N·h.
         let least = if across < UNIT {
-            (UNIT * UNIT - across * across).isqrt()
+            root(UNIT * UNIT - across * across)
         } else {
             0
         };
@@ -263,12 +267,31 @@ impl Lobe {
     /// How far z² is from `lowest` at most, for points within the lobe's reach.
     const fn farthest(&self, lowest: i64) -> i64 {
         let [from, to] = self.along;
-        let nearest = if from > 0 { from } else if to < 0 { to } else { 0 };
+        let nearest = if from > 0 {
+            from
+        } else if to < 0 {
+            to
+        } else {
+            0
+        };
         let greatest = if to > -from { to } else { -from };
         let above = UNIT - product(nearest, nearest) - lowest;
         let below = lowest + product(greatest, greatest) + product(self.across, self.across) - UNIT;
         if above > below { above } else { below }
     }
+}
+
+/// a / b; 0 for b = 0, which no caller passes.
+const fn quotient(a: i64, b: i64) -> i64 {
+    match a.checked_div(b) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
+}
+
+/// Of a square that is not negative.
+const fn root(square: i64) -> i64 {
+    (square as u64).isqrt() as i64
 }
 
 const fn product(a: i64, b: i64) -> i64 {

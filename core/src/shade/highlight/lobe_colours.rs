@@ -6,9 +6,7 @@ use crate::arithmetic::exponent;
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::shade::Linear;
-use crate::table::integer::{
-    ONE, divide, exp_neg, neg_ln_one_minus, power_of_one_minus, round_to,
-};
+use crate::table::integer::{ONE, divide, exp_neg, neg_ln_one_minus, power_of_one_minus, round_to};
 
 /// Fraction bits of x over its cutoff.
 pub(super) const SUM_BITS: u32 = 24;
@@ -124,7 +122,11 @@ const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
         neg_ln_one_minus((ONE - least) as u64)
     };
     let cutoff = ONE - exp_neg(divide(y << 32, n as u128));
-    if cutoff < ONE { cutoff as u64 } else { u64::MAX }
+    if cutoff < ONE {
+        cutoff as u64
+    } else {
+        u64::MAX
+    }
 }
 
 /// Linear light of 24 fraction bits.

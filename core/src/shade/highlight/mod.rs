@@ -3,7 +3,8 @@
 
 mod lit_sphere;
 mod lobe_colours;
-mod row;
+mod rows;
 
 pub use lit_sphere::LitSphere;
 pub use lobe_colours::LobeColours;
+pub use rows::SphereRows;

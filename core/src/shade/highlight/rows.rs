@@ -1,0 +1,239 @@
+//! Rows of a lit sphere's pixels.
+
+use fixed::types::I2F30;
+
+use super::lit_sphere::{
+    COEFFICIENT_BITS, LitSphere, OFFSET_BITS, SLOPE_BITS, STEP_BITS, UNIT_BITS,
+};
+use super::lobe_colours::{LESS_BITS, LobeColours, SUM_BITS};
+
+/// Fraction bits of an offset on its way along a row.
+const WAY_BITS: u32 = 16;
+/// Fraction bits of an offset where the lobe's ends are sought.
+const COARSE_BITS: u32 = 26;
+/// How much farther they are sought, for what is rounded on the way.
+const SLACK: i32 = 1 << (COARSE_BITS - 16);
+
+const _: () = assert!(OFFSET_BITS + SLOPE_BITS == LESS_BITS);
+
+/// A picture of a sphere, row after row: made by [`LitSphere::rows`].
+///
+/// From a pixel to the next there are only sums; a row takes no product of
+/// more than 32 bits.
+#[derive(Clone, Copy, Debug)]
+pub struct SphereRows<'a, const COLOURS: usize, const STEPS: usize> {
+    lit: &'a LitSphere<STEPS>,
+    colours: &'a LobeColours<COLOURS>,
+    /// At the first pixel of the row that is next.
+    coarse: Offsets,
+    place: Place,
+    /// From a pixel to the next.
+    coarse_across: Offsets,
+    across: Step,
+    /// From a row to the next.
+    coarse_down: Offsets,
+    down: Step,
+}
+
+/// d and b, or their differences.
+#[derive(Clone, Copy, Debug)]
+struct Offsets {
+    d: i32,
+    b: i32,
+}
+
+/// What is known of a pixel, modulo 2³²: within the lobe it is what it says.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    /// 28 fraction bits of the cutoff's.
+    offsets: Offsets,
+    /// z² in steps.
+    square: i32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    offsets: Offsets,
+    /// Of z², and by how much it changes.
+    square: i32,
+    bend: i32,
+}
+
+impl Offsets {
+    fn plus(self, other: Self) -> Self {
+        self.plus_times(other, 1)
+    }
+
+    fn plus_times(self, other: Self, times: i32) -> Self {
+        Self {
+            d: self.d.wrapping_add(other.d.wrapping_mul(times)),
+            b: self.b.wrapping_add(other.b.wrapping_mul(times)),
+        }
+    }
+}
+
+impl Place {
+    /// So many pixels on.
+    fn plus_times(self, step: Step, times: i32) -> (Self, Step) {
+        // times · (times − 1)/2: one of the two is even.
+        let pairs = (times / 2).wrapping_mul((times - 1) | 1);
+        let square = step.square.wrapping_mul(times);
+        let place = Self {
+            offsets: self.offsets.plus_times(step.offsets, times),
+            square: (self.square.wrapping_add(square)).wrapping_add(step.bend.wrapping_mul(pairs)),
+        };
+        (place, step.after(times))
+    }
+}
+
+impl Step {
+    fn after(self, times: i32) -> Self {
+        Self {
+            square: self.square.wrapping_add(self.bend.wrapping_mul(times)),
+            ..self
+        }
+    }
+}
+
+impl<const STEPS: usize> LitSphere<STEPS> {
+    /// Rows of pixels that are `step` apart, along a row and from row to row,
+    /// from `start` on: all in radii from the centre, x to the right and y
+    /// upwards, each pixel within 2 of it in either.
+    #[must_use]
+    pub fn rows<'a, const COLOURS: usize>(
+        &'a self,
+        colours: &'a LobeColours<COLOURS>,
+        start: [I2F30; 2],
+        step: [I2F30; 2],
+    ) -> SphereRows<'a, COLOURS, STEPS> {
+        let [x, y] = start.map(|c| i64::from(c.to_bits()));
+        let [across, down] = step.map(|c| i64::from(c.to_bits()));
+        let zero = (1 << (2 * UNIT_BITS)) - (i64::from(self.lowest) << UNIT_BITS);
+        let height = i64::from(self.height) << UNIT_BITS;
+        SphereRows {
+            lit: self,
+            colours,
+            coarse: self.coarse(x, y),
+            place: Place {
+                offsets: self.fine(x, y, height),
+                square: self.square(
+                    zero.wrapping_sub(x.wrapping_mul(x))
+                        .wrapping_sub(y.wrapping_mul(y)),
+                ),
+            },
+            coarse_across: self.coarse(across, 0),
+            across: self.step(self.fine(across, 0, 0), x, across),
+            coarse_down: self.coarse(0, down),
+            down: self.step(self.fine(0, down, 0), y, down),
+        }
+    }
+
+    fn step(&self, offsets: Offsets, from: i64, step: i64) -> Step {
+        Step {
+            offsets,
+            square: self.square((2 * from + step).wrapping_mul(-step)),
+            bend: self.square((-2 * step).wrapping_mul(step)),
+        }
+    }
+
+    /// d and b of a point, with 58 fraction bits.
+    const fn products(&self, x: i64, y: i64) -> [i64; 2] {
+        let (p, q) = (self.azimuth[0] as i64, self.azimuth[1] as i64);
+        [p * x + q * y, p * y - q * x]
+    }
+
+    fn coarse(&self, x: i64, y: i64) -> Offsets {
+        const DROP: u32 = UNIT_BITS + COEFFICIENT_BITS - COARSE_BITS;
+        let [d, b] = self.products(x, y).map(|offset| (offset >> DROP) as i32);
+        Offsets { d, b }
+    }
+
+    fn fine(&self, x: i64, y: i64, height: i64) -> Offsets {
+        let drop = UNIT_BITS - (OFFSET_BITS + WAY_BITS - COEFFICIENT_BITS) - self.narrowness;
+        let [d, b] = self.products(x, y);
+        Offsets {
+            d: ((d - height) >> drop) as i32,
+            b: (b >> drop) as i32,
+        }
+    }
+
+    /// From 60 fraction bits.
+    fn square(&self, square: i64) -> i32 {
+        (square >> (UNIT_BITS - STEP_BITS + self.step_bits)) as i32
+    }
+
+    /// Whether the lobe may reach a point.
+    fn reaches(&self, at: Offsets) -> bool {
+        const DROP: u32 = COEFFICIENT_BITS - COARSE_BITS;
+        let [from, to] = self.along.map(|end| end >> DROP);
+        at.d >= from - SLACK
+            && at.d <= to + SLACK
+            && at.b.wrapping_abs() <= (self.across >> DROP) + SLACK
+    }
+}
+
+impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
+    /// RGB565 codes of the next row, up to 32767 of them: 0 beside the sphere and
+    /// the lobe.
+    pub fn shade(&mut self, pixels: &mut [u16]) {
+        let count = pixels.len() as i32;
+        // From both ends to where the lobe may begin: what is left is contiguous.
+        let mut at = self.coarse;
+        let mut last = at.plus_times(self.coarse_across, count - 1);
+        let mut first = 0;
+        let mut rest = pixels.iter_mut();
+        while !self.lit.reaches(at) {
+            let Some(pixel) = rest.next() else { break };
+            *pixel = 0;
+            first += 1;
+            at = at.plus(self.coarse_across);
+        }
+        while !self.lit.reaches(last) {
+            let Some(pixel) = rest.next_back() else { break };
+            *pixel = 0;
+            last = last.plus_times(self.coarse_across, -1);
+        }
+        let (place, step) = self.place.plus_times(self.across, first);
+        self.lobe(place, step, rest.into_slice());
+
+        self.coarse = self.coarse.plus(self.coarse_down);
+        (self.place, self.down) = self.place.plus_times(self.down, 1);
+    }
+
+    /// The pixels that may be in the lobe.
+    fn lobe(&self, mut place: Place, mut step: Step, pixels: &mut [u16]) {
+        if cfg!(long_multiply) {
+            for pixel in pixels {
+                *pixel = self.pixel(&mut place, &mut step);
+            }
+            return;
+        }
+        // Where there are so few registers that each turn begins with loading
+        // them, two pixels a turn.
+        let mut pairs = pixels.chunks_exact_mut(2);
+        for pair in &mut pairs {
+            for pixel in pair {
+                *pixel = self.pixel(&mut place, &mut step);
+            }
+        }
+        for pixel in pairs.into_remainder() {
+            *pixel = self.pixel(&mut place, &mut step);
+        }
+    }
+
+    #[inline(always)]
+    fn pixel(&self, place: &mut Place, step: &mut Step) -> u16 {
+        let cell = self.lit.at(place.square);
+        let d = (place.offsets.d >> WAY_BITS).wrapping_add(i32::from(cell as i16));
+        let b = place.offsets.b >> WAY_BITS;
+        (*place, *step) = place.plus_times(*step, 1);
+        let x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b)) as u32;
+        if d >= 0 {
+            self.colours.at(x)
+        } else if x >= 1 << SUM_BITS {
+            0
+        } else {
+            (self.colours).dimmed(x, (cell >> 16).wrapping_mul(d.unsigned_abs()))
+        }
+    }
+}
