@@ -9,6 +9,7 @@
 mod encoding;
 mod exposed;
 mod given;
+mod highlight;
 mod models;
 mod places;
 mod sampling;
@@ -92,4 +93,11 @@ fn encodings() {
     let mut sums = Sums(String::new());
     encoding::add(&mut sums);
     expect_file!["sums/encodings.txt"].assert_eq(&sums.0);
+}
+
+#[test]
+fn highlight() {
+    let mut sums = Sums(String::new());
+    highlight::add(&mut sums);
+    expect_file!["sums/highlight.txt"].assert_eq(&sums.0);
 }

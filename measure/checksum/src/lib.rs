@@ -4,13 +4,16 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
-use microbrdf_bits::{checksums, exposed_checksums};
+use microbrdf_bits::{checksums, exposed_checksums, highlight_checksums};
 
 /// Pairs of directions for each model.
 const COUNT: usize = 100;
 
 /// Pairs of directions for each model with a light's gain in its table.
 const EXPOSED_COUNT: usize = 12;
+
+/// Lights on a sphere, for each of its lobes.
+const LIGHTS: usize = 3;
 
 /// Checksums, folded into 32 bits.
 #[inline(always)]
@@ -45,6 +48,7 @@ bits! {
     q31: |sink| checksums::<Q31<128>>(COUNT, sink);
     q15: |sink| checksums::<Q15<65>>(COUNT, sink);
     exposed: |sink| exposed_checksums(EXPOSED_COUNT, sink);
+    highlight: |sink| highlight_checksums(LIGHTS, sink);
 }
 
 #[cfg(target_os = "none")]

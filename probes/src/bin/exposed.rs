@@ -1,5 +1,6 @@
-//! Lobes and patches with a light's gain in their tables, built at run time
-//! from parameters of any bits, to the codes of a display.
+//! Lobes and patches with a light's gain in their tables, and a sphere's
+//! highlight, built at run time from parameters of any bits, to the codes of a
+//! display.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(not(target_os = "none"))]
@@ -10,11 +11,11 @@ mod probe {
     use core::hint::black_box;
 
     use microbrdf::Rgb;
-    use microbrdf::arithmetic::Q15;
+    use microbrdf::arithmetic::{Q15, Q31};
     use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
-    use microbrdf::fixed::types::{I2F14, U2F30, U32F32};
+    use microbrdf::fixed::types::{I2F14, I2F30, U2F30, U32F32};
     use microbrdf::geometry::{Direction, ShadingFrame, World};
-    use microbrdf::shade::{Palette565, srgb8_direct};
+    use microbrdf::shade::{LitSphere, LobeColours, Palette565, srgb8_direct};
     use microbrdf::table::{COSINE_KNOTS, CosineCurve};
     // Brings the handler.
     use microbrdf_probes as _;
@@ -57,6 +58,20 @@ mod probe {
         {
             show(model.shade(&frame));
             show(model.shade(&world));
+        }
+        if let Ok(colours) = LobeColours::<256>::new(any(), gain()) {
+            let place = || I2F30::from_bits(black_box(0));
+            let l = Direction::<Q31>::new(place(), place(), place());
+            let lit = LitSphere::<256>::new(&colours, l);
+            let mut rows = lit.rows(&colours, [place(), place()], [place(), place()]);
+            let mut pixels = [0; 64];
+            let count = black_box(64usize).min(pixels.len());
+            rows.shade(
+                pixels
+                    .split_at_mut_checked(count)
+                    .map_or(&mut [], |(row, _)| row),
+            );
+            black_box(pixels);
         }
         loop {}
     }

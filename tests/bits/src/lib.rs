@@ -10,6 +10,7 @@
 mod arithmetic;
 mod digest;
 mod exposed;
+mod highlight;
 mod models;
 mod raw;
 mod samples;
@@ -17,6 +18,7 @@ mod samples;
 pub use arithmetic::Sampled;
 pub use digest::digest;
 pub use exposed::exposed_checksums;
+pub use highlight::highlight_checksums;
 pub use models::checksums;
 pub use raw::{Checksum, Raw};
 pub use samples::{PairKind, Samples};
