@@ -61,6 +61,57 @@ fn the_cheapest_that_is_exact_enough_is_chosen() {
     );
 }
 
+/// Of a metal under one light, and of one whose error is too great.
+#[test]
+fn a_lights_gain_may_be_in_the_tables() {
+    let folder = Folder::new("advise-exposed");
+    let row = |arithmetic: &str, variant: &str, cycles: u32| {
+        format!(
+            r#"{{"model":"metal","parameters":"metal = \"gold\", exponent = 20","arithmetic":"{arithmetic}","variant":"{variant}","core":"cortex-m3","exposure":"1","cycles_mean":{cycles},"code_bytes":300,"flash_table_bytes":1700,"estimate":true}}"#
+        )
+    };
+    let rows = [
+        row("q15", "core, 129 knots", 141),
+        row("q15", "gain in the table, 129 knots", 80),
+        row("q15", "world space, gain in the table, 129 knots", 1),
+    ];
+    let data = folder.file("trade.json", &format!("[{}]", rows.join(",")));
+    let call = |metal: &str, exposure: &str, most: &str| {
+        let material = format!("model = \"metal\", {metal}, exponent = 20");
+        run(&[
+            "advise",
+            "--core",
+            "cortex-m3",
+            "--data",
+            &data,
+            "--max-error",
+            most,
+            "--exposure",
+            exposure,
+            "--material",
+            &material,
+        ])
+        .output()
+    };
+    let gold = call("metal = \"gold\"", "1", "0.75");
+    assert!(
+        first(&gold)
+            .starts_with("q15 with tables of 129, for one light whose gain they hold: 80 cycles"),
+        "{gold}"
+    );
+    assert!(
+        gold.contains("Runners-up:\n  q15 with tables of 129: 141"),
+        "{gold}"
+    );
+    // A tight bound rules it out.
+    let glass = call("eta = [1.5, 1.5, 1.5], k = [0, 0, 0]", "3.5", "0.62");
+    assert!(
+        first(&glass).starts_with("q15 with tables of 129: 141"),
+        "{glass}"
+    );
+    assert!(glass.contains("they hold: 80 cycles"), "{glass}");
+}
+
 #[test]
 fn bytes_are_a_bound_too() {
     let folder = Folder::new("advise-bytes");
@@ -125,7 +176,7 @@ fn the_projects_figures_are_read() {
         "--core",
         "cortex-m0plus",
         "--max-error",
-        "0.75",
+        most,
         "--material",
         PHONG,
     ]);
@@ -147,7 +198,7 @@ fn materials_are_told_apart_by_their_fields() {
             "--core",
             "cortex-m0plus",
             "--max-error",
-            "0.75",
+            most,
             "--material",
             material,
         ])

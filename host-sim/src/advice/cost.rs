@@ -3,6 +3,9 @@
 use microbrdf_scene::{Material, PatchShape};
 use serde_json::Value;
 
+/// How a variant begins whose tables hold one light's gain.
+const EXPOSED: &str = "gain in the table, ";
+
 /// The cost of an arithmetic and a size of table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
@@ -10,6 +13,8 @@ pub struct Cost {
     pub arithmetic: String,
     /// Cells or knots of its tables, where it has any.
     pub size: Option<usize>,
+    /// Whether one light's gain is in its tables.
+    pub exposed: bool,
     /// What was measured: the material's fields.
     pub measured: String,
     /// Mean cycles within the lobe.
@@ -27,6 +32,12 @@ impl Cost {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.code + self.tables
+    }
+
+    /// Whether it is the same way to compute, measured of another material.
+    fn is_way_of(&self, other: &Self) -> bool {
+        (&self.arithmetic, self.size, self.exposed)
+            == (&other.arithmetic, other.size, other.exposed)
     }
 }
 
@@ -54,8 +65,9 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
     let mut best: Vec<(f64, Cost)> = Vec::new();
     for row in rows {
         let variant = text(row, "variant");
+        let exposed = variant.strip_prefix(EXPOSED);
         let own = variant == "core" || variant.starts_with("core, ");
-        if !own
+        if !(own || exposed.is_some())
             || text(row, "core") != core
             || text(row, "model") != model
             || text(row, "exposure") != "1"
@@ -74,7 +86,8 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
         };
         let cost = Cost {
             arithmetic: text(row, "arithmetic"),
-            size: size(&variant),
+            size: exposed.or(variant.strip_prefix("core, ")).and_then(size),
+            exposed: exposed.is_some(),
             cycles: number("cycles_mean")?,
             code: number("code_bytes")? as u64,
             tables: number("flash_table_bytes")? as u64,
@@ -82,10 +95,7 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
             measured,
         };
         let distance = distance(&cost.measured, wanted);
-        match best
-            .iter_mut()
-            .find(|(_, known)| known.arithmetic == cost.arithmetic && known.size == cost.size)
-        {
+        match best.iter_mut().find(|(_, known)| known.is_way_of(&cost)) {
             Some(known) if distance < known.0 => *known = (distance, cost),
             Some(_) => {}
             None => best.push((distance, cost)),
@@ -100,14 +110,9 @@ pub fn costs(data: &str, core: &str, material: &Material) -> Result<Vec<Cost>, S
     Ok(best.into_iter().map(|(_, cost)| cost).collect())
 }
 
-/// Cells or knots, from `core, 1024 cells`.
+/// Cells or knots, from `1024 cells`.
 fn size(variant: &str) -> Option<usize> {
-    variant
-        .strip_prefix("core, ")?
-        .split(' ')
-        .next()?
-        .parse()
-        .ok()
+    variant.split(' ').next()?.parse().ok()
 }
 
 /// The model's name in the data, and the field whose value tells materials of

@@ -2,24 +2,31 @@
 //! enough: cost as it was measured, error as it is found for the material.
 
 mod cost;
+mod exposed;
 mod pixels;
 
 pub use cost::{Cost, costs};
+use exposed::exposed_error;
 pub use pixels::{PixelError, pixel_error};
 
 use microbrdf::ParameterError;
 use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
 use microbrdf_scene::Material;
 
-/// The pixel error of a material in an arithmetic with tables of a size;
-/// `None` for an arithmetic or a size that this program was not built with.
+/// The pixel error of a material computed in a way; `None` for one that this
+/// program was not built with.
 pub fn error_of(
-    arithmetic: &str,
-    size: Option<usize>,
+    way: &Cost,
     material: &Material,
     exposure: f64,
 ) -> Option<Result<PixelError, ParameterError>> {
-    Some(match (arithmetic, size) {
+    if way.exposed {
+        return match (way.arithmetic.as_str(), way.size) {
+            ("q15", Some(129)) => exposed_error(material, exposure),
+            _ => None,
+        };
+    }
+    Some(match (way.arithmetic.as_str(), way.size) {
         ("f32", None) => pixel_error::<F32>(material, exposure),
         ("micromath", None) => pixel_error::<Micromath>(material, exposure),
         ("q31", Some(1024)) => pixel_error::<Q31<1024>>(material, exposure),

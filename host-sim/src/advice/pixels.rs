@@ -34,8 +34,20 @@ pub fn pixel_error<A: HostArithmetic>(
     material: &Material,
     exposure: f64,
 ) -> Result<PixelError, ParameterError> {
-    let (model, exact) = (material.model::<A>()?, material.reference());
+    let model = material.model::<A>()?;
     let gain = Rgb::grey(A::gain(exposure));
+    Ok(graded(material, exposure, |pair| {
+        A::linear(model.shade(&gain, pair)).srgb8()
+    }))
+}
+
+/// The same of codes that are computed in any way.
+pub(super) fn graded<A: HostArithmetic>(
+    material: &Material,
+    exposure: f64,
+    codes: impl Fn(&ShadingFrame<A>) -> [u8; 3],
+) -> PixelError {
+    let exact = material.reference();
     let mut error = PixelError::default();
     let (mut counted, mut off) = (0u32, 0u32);
     for index in 0..POINTS {
@@ -46,7 +58,7 @@ pub fn pixel_error<A: HostArithmetic>(
             }
             let [inner, outer] = [l, v]
                 .map(|[x, y, z]| Direction::new(A::component(x), A::component(y), A::component(z)));
-            let shown = A::linear(model.shade(&gain, &ShadingFrame::new(inner, outer))).srgb8();
+            let shown = codes(&ShadingFrame::new(inner, outer));
             let shares = exact.rho(
                 &reference::Direction::from(l),
                 &reference::Direction::from(v),
@@ -65,7 +77,7 @@ pub fn pixel_error<A: HostArithmetic>(
         }
     }
     error.off = f64::from(off) / f64::from(counted.max(1));
-    Ok(error)
+    error
 }
 
 /// A number in [0, 1) that belongs to a point: the golden ratio's multiples

@@ -33,9 +33,13 @@ impl Candidate {
     }
 
     fn name(&self) -> String {
-        match self.cost.size {
-            Some(size) => format!("{} with tables of {size}", self.cost.arithmetic),
-            None => self.cost.arithmetic.clone(),
+        let arithmetic = &self.cost.arithmetic;
+        match (self.cost.size, self.cost.exposed) {
+            (Some(size), true) => {
+                format!("{arithmetic} with tables of {size}, for one light whose gain they hold")
+            }
+            (Some(size), false) => format!("{arithmetic} with tables of {size}"),
+            (None, _) => arithmetic.clone(),
         }
     }
 
@@ -85,7 +89,7 @@ pub fn run(arguments: &Advise) -> Outcome<()> {
     let mut candidates: Vec<_> = costs
         .into_iter()
         .map(|cost| {
-            let error = error_of(&cost.arithmetic, cost.size, &material, arguments.exposure);
+            let error = error_of(&cost, &material, arguments.exposure);
             progress.step();
             Candidate {
                 cost,
