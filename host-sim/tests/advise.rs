@@ -176,7 +176,7 @@ fn the_projects_figures_are_read() {
         "--core",
         "cortex-m0plus",
         "--max-error",
-        most,
+        "0.75",
         "--material",
         PHONG,
     ]);
@@ -198,7 +198,7 @@ fn materials_are_told_apart_by_their_fields() {
             "--core",
             "cortex-m0plus",
             "--max-error",
-            most,
+            "0.75",
             "--material",
             material,
         ])

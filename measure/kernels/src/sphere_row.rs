@@ -42,6 +42,21 @@ const fn light() -> Direction<Q31> {
     }
 }
 
+/// What a light that moves costs a picture: its tables made anew, and one
+/// pixel, the sphere's middle. L in two halves of a word, 14 fraction bits.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "q15_lit_sphere")]
+pub extern "C" fn moved(light: u32) -> u32 {
+    static COLOURS: LobeColours = constant!(LobeColours::new(number(20.0), gain(lobe_peak(20.0))));
+    let half = |bits: u32| I2F30::from_bits(i32::from(bits as u16 as i16) << 16);
+    let l = Direction::new(half(light), half(light >> 16), I2F30::ONE / 2);
+    let lit = LitSphere::<256>::new(&COLOURS, l);
+    let mut pixel = [0];
+    lit.rows(&COLOURS, [I2F30::ZERO; 2], [I2F30::ZERO; 2])
+        .shade(&mut pixel);
+    u32::from(pixel[0])
+}
+
 macro_rules! rows {
     ($($module:ident $symbol:literal $n:literal $k:expr, $exposure:literal $fields:literal)+) => {
         $(mod $module {
@@ -70,7 +85,17 @@ macro_rules! rows {
 
         /// What they are.
         #[cfg(not(target_os = "none"))]
-        pub(crate) const KERNELS: &[Kernel] = &[$(Kernel {
+        pub(crate) const KERNELS: &[Kernel] = &[Kernel {
+            name: "q15_lit_sphere",
+            arithmetic: "q15",
+            variant: "core, 256 steps",
+            model: "sphere light",
+            fields: "",
+            width: 20.0,
+            exposure: "1",
+            k: 1.0,
+            call: Call::Number(moved),
+        }, $(Kernel {
             name: $symbol,
             arithmetic: "q15",
             variant: "core, rows, 512 colours, 512 steps",

@@ -42,13 +42,14 @@ const MODELS: [(&str, &str); 21] = [
     ("three dot products", "Three dot products: N·L, N·V, L·V"),
     ("versine", "N, L and V to 1 − R·V"),
     (
+        "sphere light",
+        "A light's tables for a sphere's rows, made anew, and one pixel",
+    ),
+    (
         "sphere normal",
         "A sphere's normal at a point of the picture",
     ),
-    (
-        "sphere",
-        "A sphere's pixel to RGB565, ray and normal included",
-    ),
+    ("sphere", "A sphere's pixel to RGB565, normal included"),
 ];
 
 const HEAD: &str = "# Error against cost
@@ -61,7 +62,7 @@ What is measured: one light, reflected radiance as exposed linear light with 24 
 * Cycles on Cortex-M are **estimates**: executed instructions weighed with Arm's published timings at zero wait states ([measure/counter](../measure/counter/README.md) says what is modelled). M0 and M0+ have the single-cycle multiplier; with the 32-cycle one in the second table. Those of M0+ have a second source, rp2040js, an emulator of the RP2040: `cargo xtask test --only \"second source\"` runs every kernel in both, and each instruction takes the same cycles but for a PUSH of LR, which rp2040js leaves uncounted. Those of M0, M3 and M4F have none.
 * Cycles on RV32IMC are **exact**: those of Ibex, simulated from its RTL, with a single-cycle multiplier, the branch-target ALU, the write-back stage and a memory that answers in the next cycle.
 * **Error** is the arithmetic error of the displayed 8-bit sRGB code in LSB (see [conventions.md](conventions.md)), 0.50 being perfect rounding: the greatest over 2000 pairs within the lobe (cosines down to 1e-8), and the greatest over these and four further sets, at the mirror direction, at grazing, anywhere, and outside. In world space it is over pairs whose cosines are at least 1e-3, and outside. Then the share of codes within the lobe that are off by one, and by more.
-* The pixels of a sphere are graded in levels of RGB565, over every pixel of a sphere of 200.
+* The pixels of a sphere are graded in levels of RGB565, over every pixel of a sphere of 200; where rows are shaded (`LitSphere`), over all pixels of 600 tiles of 64 by 16, and cycles are those of a pixel of a tile whose middle is in the lobe, everything that a picture begins with included.
 * What kernels were to cost, and where their cycles go, is in [goals.md](goals.md).
 * K = 1 puts the peak at full scale; K = c is unit irradiance on the model's own peak.
 ";

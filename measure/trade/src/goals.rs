@@ -101,17 +101,26 @@ const GOALS: [Goal; 7] = [
               lose the highlight's digits where 14-bit directions cancel.",
     },
     Goal {
-        title: "whole sphere pixel to RGB565, any n, at most one level off",
-        kernels: &["q15_sphere_20", "q15_sphere_500", "q15_sphere_5000"],
+        title: "whole sphere pixel to RGB565, any n, at most one level off: of a tile's 16 rows of 64",
+        kernels: &[
+            "q15_sphere_row_500_kc",
+            "q15_sphere_row_500",
+            "q15_sphere_row_5000",
+            "q15_sphere_row_20",
+            "q15_sphere_row_20_kc",
+        ],
         at_once: 1.0,
         at_most: [60.0, 40.0, 36.0],
-        parts: &["q15_sphere_normal", "q15_world_versine", "palette"],
-        why: "It is the world-space evaluation with a root for the normal before it and a palette \
-              after it: the normal by itself takes the goal, or nearly. \
-              Where L and V are the same for all \
-              pixels, 2(N·T)² + 2cos²θ(N·B)², T along L − V, B along L × V and θ half the angle \
-              between L and V, cancels nowhere and takes fewer products; root, ratio, table and \
-              palette remain.",
+        parts: &[],
+        why: "From a pixel to the next there are sums alone: of two offsets from the mirror direction, of z² and \
+              of its difference. A pixel takes then one look-up for z, two squares and one look-up for the \
+              colour; where N·L < N·V one more for their ratio, with three products. What is left over the goal is \
+              for the most part where values are kept: a turn of the loop has nine that change or are added, two ends \
+              and three tables, and the compiler, which keeps r7 for frames, loads some of them from the stack \
+              again in each turn (`ldr …, [sp, …]` below), on Cortex-M0+ most. Two loops instead of one, a function of its own for the \
+              ratio, and both offsets in one word (which the compiler takes apart again) were tried \
+              and are slower on M3 and M4F; two pixels a turn are quicker on M0+ alone, and are done there. A pixel by itself, without its \
+              neighbours, is `q15_sphere_20`.",
     },
 ];
 
@@ -124,6 +133,21 @@ pub struct Instruction {
     pub executed: f64,
     /// Cycles that it took in a call, by core.
     pub cycles: BTreeMap<String, f64>,
+}
+
+impl Instruction {
+    /// Of one of so many pixels.
+    #[must_use]
+    pub fn divided(&self, pixels: f64) -> Self {
+        let cycles = self.cycles.iter();
+        Self {
+            text: self.text.clone(),
+            executed: self.executed / pixels,
+            cycles: cycles
+                .map(|(core, cycles)| (core.clone(), cycles / pixels))
+                .collect(),
+        }
+    }
 }
 
 /// The listings of kernels that have goals, by kernel and target.
@@ -193,7 +217,8 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
             let _ = write!(
                 text,
                 "\n### `{kernel}` on {}\n\n{}{}How often each instruction is executed in a call within \
-                 the lobe, and the cycles it takes:\n\n{}",
+                 the lobe, of a tile for each pixel, and the cycles it takes; those that are executed less than once in \
+                 fifty times are left out:\n\n{}",
                 CORES
                     .iter()
                     .find(|(name, _)| *name == core)
@@ -209,6 +234,9 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
 
 /// What the parts take by themselves.
 fn alone(rows: &[Row], goal: &Goal, core: &str, at_most: f64) -> String {
+    if goal.parts.is_empty() {
+        return String::new();
+    }
     let call = mean(rows, NOTHING, core);
     let parts: Vec<_> = goal
         .parts
@@ -280,9 +308,12 @@ fn purpose(text: &str) -> &'static str {
     }
 }
 
+/// How often an instruction is executed at least that is listed.
+const SELDOM: f64 = 0.02;
+
 fn lines(listing: &[Instruction], core: &str) -> String {
     let mut text = String::from("```text\n");
-    for line in listing {
+    for line in listing.iter().filter(|line| line.executed >= SELDOM) {
         let cycles = line.cycles.get(core).copied().unwrap_or_default();
         let _ = writeln!(text, "{:5.2} {cycles:6.2}  {}", line.executed, line.text);
     }

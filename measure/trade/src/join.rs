@@ -35,8 +35,11 @@ pub fn listings(counted: &[Counted]) -> Listings {
     let mut listings = Listings::new();
     for counted in counted {
         if goals::is_listed(&counted.kernel) && !counted.listing.is_empty() {
+            let kernel = kernels().find(|kernel| kernel.name == counted.kernel);
+            let pixels = kernel.map_or(1, Kernel::pixels) as f64;
+            let of_pixel = |line: &Instruction| line.divided(pixels);
             let of_targets = listings.entry(counted.kernel.clone()).or_default();
-            of_targets.push(counted.listing.clone());
+            of_targets.push(counted.listing.iter().map(of_pixel).collect());
         }
     }
     listings

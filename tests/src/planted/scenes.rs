@@ -29,6 +29,27 @@ pub const SCENE_BUGS: &[Bug] = &[
     )
     .of("core"),
     bug(
+        "a highlight's row goes the other way across",
+        "core/src/shade/highlight/rows.rs",
+        "[p * x + q * y, p * y - q * x]",
+        "[p * x + q * y, p * y + q * x]",
+        &["highlight"],
+    ),
+    bug(
+        "parts of a step at a sphere's edge are whole ones",
+        "core/src/shade/highlight/lit_sphere.rs",
+        "self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize)",
+        "self.edge.get((square >> STEP_BITS) as usize)",
+        &["highlight"],
+    ),
+    bug(
+        "a ratio moves x as if the lobe had not fallen",
+        "core/src/shade/highlight/lobe_colours.rs",
+        "let rest = (1u32 << SHIFT_BITS).wrapping_sub(x_c);",
+        "let rest = 1u32 << SHIFT_BITS; let _ = x_c;",
+        &["highlight"],
+    ),
+    bug(
         "a ceramic's glaze is a lobe's",
         "scene/src/prepare.rs",
         "                    Some(index) => Self::Metal {\n                        exponent: *exponent,",

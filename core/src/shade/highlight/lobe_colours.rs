@@ -25,7 +25,8 @@ const UNSEEN: u128 = ONE / 1640;
 /// x = 1 − cosα from the mirror direction to where nothing is seen.
 ///
 /// Where cosΘL is less than cosΘV the ratio of the two dims the lobe as much as
-/// a greater x would, by a second table. 2 · `CELLS` + 1032 bytes, the same in
+/// a greater x would, by a second table: x with a ratio r is 1 − (1 − x)·r^(1/n).
+/// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 1032 bytes, the same in
 /// flash and filled at start-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LobeColours<const CELLS: usize = 256> {
