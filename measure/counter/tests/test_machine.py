@@ -56,6 +56,11 @@ def test_the_deepest_stack() -> None:
     assert run("10b584b001b402bc04b010bd").stack == 28
 
 
+def test_the_stack_moved_by_a_register() -> None:
+    # movs r3, #64; negs r2, r3; add sp, r2; push {r0}; pop {r1}; add sp, r3; bx lr
+    assert run("40235a42954401b402bc9d447047", target="thumbv6m-none-eabi").stack == 68
+
+
 def test_a_loop_is_counted_each_time() -> None:
     # movs r1, #0; adds r1, #1; subs r0, #1; bne -6; mov r0, r1; bx lr
     code = "0021013101 38fcd108467047".replace(" ", "")

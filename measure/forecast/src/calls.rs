@@ -53,7 +53,7 @@ pub fn of_picture(picture: &Picture, every: usize) -> Value {
         json!({ "arguments": [y, BASE], "memory": [], "results": words, "in_memory": true })
     };
     let calls: Vec<_> = rows(picture.height, every).map(call).collect();
-    json!([{ "kernel": "row", "stack": false, "groups": [{ "kind": "row", "calls": calls }] }])
+    json!([{ "kernel": "row", "groups": [{ "kind": "row", "calls": calls }] }])
 }
 
 /// The calls that tell what packing takes: one row, and three.
@@ -67,7 +67,7 @@ pub fn of_packing() -> Value {
         })
     };
     let calls = PACKED.map(call);
-    json!([{ "kernel": "pack", "stack": false, "groups": [{ "kind": "row", "calls": calls }] }])
+    json!([{ "kernel": "pack", "groups": [{ "kind": "row", "calls": calls }] }])
 }
 
 /// Rows of the two calls.

@@ -15,7 +15,7 @@ pub const CORES: [(&str, &str); 5] = [
 ];
 
 /// Models in their order, with a title.
-const MODELS: [(&str, &str); 21] = [
+const MODELS: [(&str, &str); 22] = [
     ("metallic-phong", "Metallic Phong"),
     ("metal", "Metal, three channels with Fresnel's factor"),
     ("patch", "Basic patch"),

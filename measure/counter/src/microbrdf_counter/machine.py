@@ -47,14 +47,13 @@ class Trace:
             an IT block is not among them.
         operands: How often an instruction met a pair of operands, by address and operands.
         results: Registers or words of memory that the function gave back.
-        stack: Bytes of stack that it took, its arguments on the stack left out; ``None`` where
-            an instruction moves the stack by what is not known.
+        stack: Bytes of stack that it took, its arguments on the stack left out.
     """
 
     addresses: list[int] = field(default_factory=list)
     operands: Counter[tuple[int, int, int]] = field(default_factory=Counter)
     results: list[int] = field(default_factory=list)
-    stack: int | None = 0
+    stack: int = 0
 
 
 class Machine:
@@ -79,9 +78,13 @@ class Machine:
                     mapped.add(page)
             self._uc.mem_write(address, data)
         self._trace = Trace()
+        self._watched, self._lowest = False, _STACK_TOP
         if not traced:
             return
-        self._uc.hook_add(unicorn.UC_HOOK_CODE, self._executes)
+        # What moves the stack pointer by a register's value is watched.
+        self._watched = any(instruction.stack is None for instruction in self.code.values())
+        executes = self._watches if self._watched else self._executes
+        self._uc.hook_add(unicorn.UC_HOOK_CODE, executes)
         for instruction in self.code.values():
             at = instruction.address
             if instruction.name in ("udiv", "sdiv", "umull", "smull", "umlal", "smlal"):
@@ -89,6 +92,10 @@ class Machine:
 
     def _executes(self, _uc: object, address: int, _size: int, _data: object) -> None:
         self._trace.addresses.append(address)
+
+    def _watches(self, uc: unicorn.Uc, address: int, _size: int, _data: object) -> None:
+        self._trace.addresses.append(address)
+        self._lowest = min(self._lowest, uc.reg_read(arm_const.UC_ARM_REG_SP))
 
     def _operates(self, _uc: object, address: int, _size: int, _data: object) -> None:
         names = self.code[address].operands[-2:]
@@ -105,6 +112,7 @@ class Machine:
         """
         uc = self._uc
         self._trace = Trace()
+        self._lowest = _STACK_TOP
         words = b"".join(word.to_bytes(4, "little") for word in memory)
         uc.mem_write(BASE, words + bytes(4 * in_memory))
         registers, on_stack = arguments[:4], arguments[4:]
@@ -124,7 +132,7 @@ class Machine:
         trace = self._trace
         if uc.reg_read(arm_const.UC_ARM_REG_SP) != top:
             raise Stray("the stack pointer is not where it was")
-        trace.stack = self._depth(trace)
+        trace.stack = self._depth(trace, top)
         if in_memory:
             back = bytes(uc.mem_read(BASE + len(words), 4 * in_memory))
             trace.results = [
@@ -134,12 +142,9 @@ class Machine:
             trace.results = [uc.reg_read(_REGISTERS[name]) for name in ("r0", "r1")]
         return trace
 
-    def _depth(self, trace: Trace) -> int | None:
-        """The deepest that the stack pointer goes below where it was, if it is known."""
-        moves = {}
-        for address in set(trace.addresses):
-            this = self.code[address]
-            if this.stack is None:
-                return None
-            moves[address] = this.stack
+    def _depth(self, trace: Trace, top: int) -> int:
+        """The deepest that the stack pointer goes below where it was."""
+        if self._watched:
+            return top - self._lowest
+        moves = {address: self.code[address].stack or 0 for address in set(trace.addresses)}
         return -min(accumulate(map(moves.__getitem__, trace.addresses)), default=0)
