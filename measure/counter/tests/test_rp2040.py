@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from microbrdf_counter.bench import Fails
+from microbrdf_counter.differs import Differs
 from microbrdf_counter.image import Image
 from microbrdf_counter.instructions import Instruction, decode
-from microbrdf_counter.differs import Differs
 from microbrdf_counter.rp2040.compare import compare, known_difference
 from microbrdf_counter.rp2040.emulator import ADDRESS, Missing, Rp2040
 from microbrdf_counter.timings import CortexM0Plus
