@@ -275,7 +275,7 @@ fn spent(listing: &[Instruction], core: &str, mean: f64) -> String {
         *sums.entry(purpose(&line.text)).or_default() += cycles;
     }
     let executed: f64 = sums.values().sum();
-    let mut parts = vec![format!("the call {:.0}", mean - executed)];
+    let mut parts = vec![format!("the call {:.0}", (mean - executed).max(0.0))];
     parts.extend(
         sums.iter()
             .map(|(purpose, cycles)| format!("{purpose} {cycles:.0}")),

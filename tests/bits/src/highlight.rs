@@ -10,12 +10,16 @@ use crate::raw::Checksum;
 use crate::samples::Samples;
 
 /// Exponents and gains, 32 fraction bits.
-const LOBES: [(u64, [u64; 3]); 5] = [
+const LOBES: [(u64, [u64; 3]); 8] = [
     (1 << 32, [1 << 32, 1 << 31, 1 << 30]),
     (3 << 31, [1 << 24, 1 << 40, 0]),
     (20 << 32, [3 << 32, 1 << 32, 1 << 31]),
     (500 << 32, [80 << 32, 33 << 32, 7 << 32]),
+    (4_000 << 32, [1 << 32, 1 << 31, 1 << 30]),
     (100_000_000 << 32, [1 << 32; 3]),
+    // Hardly seen, and not at all.
+    (20 << 32, [1 << 22, 5 << 20, 1 << 21]),
+    (20 << 32, [0; 3]),
 ];
 
 /// Hands the name and the checksum of each lobe to `sink`: over a picture of
@@ -24,7 +28,9 @@ const LOBES: [(u64, [u64; 3]); 5] = [
 /// # Panics
 /// If a constructor refuses a parameter that is within its range.
 pub fn highlight_checksums(count: usize, sink: &mut dyn FnMut(&'static str, u64)) {
-    const NAMES: [&str; 5] = ["n = 1", "n = 1.5", "n = 20", "n = 500", "n = 1e8"];
+    const NAMES: [&str; 8] = [
+        "n = 1", "n = 1.5", "n = 20", "n = 500", "n = 4e3", "n = 1e8", "faint", "dark",
+    ];
     for (name, (n, gain)) in NAMES.into_iter().zip(LOBES) {
         let mut sum = Checksum::new();
         let gain = Rgb::from_array(gain).map(U32F32::from_bits);
@@ -33,7 +39,10 @@ pub fn highlight_checksums(count: usize, sink: &mut dyn FnMut(&'static str, u64)
         let mut samples = Samples::new(0x0916);
         for _ in 0..count {
             let [h, l] = samples.pair();
-            for l in [h, l] {
+            // One of them from behind, too, and one from nearly straight behind.
+            let behind = [l[0], l[1], -l[2].abs()];
+            let far = [l[0] / 16, l[1] / 16, -l[2].abs()];
+            for l in [h, l, behind, far] {
                 lit(&mut sum, &colours, l, h);
             }
         }
