@@ -75,7 +75,7 @@ fn a_lights_gain_may_be_in_the_tables() {
         row("q15", "gain in the table, 129 knots", 80),
         row("q15", "world space, gain in the table, 129 knots", 1),
     ];
-    let data = folder.file("trade.json", &format!("[{}]", rows.join(",")));
+    let data = folder.file("trade.json", format!("[{}]", rows.join(",")));
     let call = |metal: &str, exposure: &str, most: &str| {
         let material = format!("model = \"metal\", {metal}, exponent = 20");
         run(&[
