@@ -13,7 +13,7 @@ const COUNT: usize = 100;
 const EXPOSED_COUNT: usize = 12;
 
 /// Lights on a sphere, for each of its lobes.
-const LIGHTS: usize = 3;
+const LIGHTS: usize = 1;
 
 /// Checksums, folded into 32 bits.
 #[inline(always)]
