@@ -54,3 +54,9 @@ impl<T: Copy> Rgb<T> {
         }
     }
 }
+
+/// The greatest of three channels.
+pub(crate) const fn greatest([r, g, b]: [u64; 3]) -> u64 {
+    let most = if r > g { r } else { g };
+    if most > b { most } else { b }
+}

@@ -4,7 +4,7 @@ use fixed::types::U32F32;
 
 use super::patch::Patch;
 use crate::arithmetic::{Arithmetic, Q15};
-use crate::colour::Rgb;
+use crate::colour::{Rgb, greatest};
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
 
@@ -90,9 +90,4 @@ impl<const KNOTS: usize> ExposedPatch<KNOTS> {
             }
         }))
     }
-}
-
-const fn greatest([r, g, b]: [u64; 3]) -> u64 {
-    let most = if r > g { r } else { g };
-    if most > b { most } else { b }
 }

@@ -10,7 +10,7 @@ const LIGHT_SHIFT: u32 = 24 - 8;
 /// Cells that a light one's index passes over.
 const SKIPPED: u32 = DARK_CELLS - (1 << 4);
 /// Number of entries; the last holds 1.0.
-pub(super) const CELLS: usize = (SKIPPED + (1 << 8)) as usize + 1;
+const CELLS: usize = (SKIPPED + (1 << 8)) as usize + 1;
 
 /// RGB565 codes of one tint from black to full, 738 bytes.
 ///
@@ -77,7 +77,7 @@ impl Palette565 {
 }
 
 /// The middle of a cell, 24 fraction bits.
-pub(super) const fn middle(cell: u32) -> u32 {
+const fn middle(cell: u32) -> u32 {
     if cell < DARK_CELLS {
         (2 * cell + 1) << (DARK_SHIFT - 1)
     } else {
@@ -87,7 +87,7 @@ pub(super) const fn middle(cell: u32) -> u32 {
 
 /// The cell of a number from 0 to 1 with 16 fraction bits.
 #[inline(always)]
-pub(super) fn cell(number: u32) -> usize {
+fn cell(number: u32) -> usize {
     let cell = if number < DARK_CELLS << (DARK_SHIFT - 8) {
         number >> (DARK_SHIFT - 8)
     } else {

@@ -3,7 +3,7 @@
 use fixed::types::U32F32;
 
 use crate::arithmetic::exponent;
-use crate::colour::Rgb;
+use crate::colour::{Rgb, greatest};
 use crate::error::ParameterError;
 use crate::shade::Linear;
 use crate::table::integer::{ONE, divide, exp_neg, neg_ln_one_minus, power_of_one_minus, round_to};
@@ -11,7 +11,7 @@ use crate::table::integer::{ONE, divide, exp_neg, neg_ln_one_minus, power_of_one
 /// Fraction bits of x over its cutoff.
 pub(super) const SUM_BITS: u32 = 24;
 /// Fraction bits of what a ratio is less than 1.
-pub(super) const LESS_BITS: u32 = 23;
+pub(super) const LESS_BITS: u32 = 20;
 /// Steps of the ratio of two cosines.
 const RATIO_BITS: u32 = 9;
 const RATIOS: usize = 1 << RATIO_BITS;
@@ -42,7 +42,8 @@ pub struct LobeColours<const CELLS: usize = 256> {
 impl<const CELLS: usize> LobeColours<CELLS> {
     const CELL_SHIFT: u32 = SUM_BITS - CELLS.ilog2();
 
-    /// The lobe of exponent `n` with the gain K of each channel.
+    /// The lobe of exponent `n` with the gain K of each channel; too faint a gain
+    /// leaves it black.
     ///
     /// # Errors
     /// `n` outside 1 to 1e8.
@@ -91,7 +92,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
     }
 
     /// The same with a ratio of the cosines below 1, less by `less` in units of
-    /// 2⁻²³; `x` below 1.
+    /// 2⁻²⁰; `x` below 1.
     #[inline(always)]
     pub(super) fn dimmed(&self, x: u32, less: u32) -> u16 {
         let Some(shift) = self.shifts.get((less >> (LESS_BITS - RATIO_BITS)) as usize) else {
@@ -107,14 +108,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
 
 /// x, 64 fraction bits, beyond which `UNSEEN` is more than the light.
 const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
-    let mut most = 0;
-    let mut channel = 0;
-    while channel < 3 {
-        if gain[channel] > most {
-            most = gain[channel];
-        }
-        channel += 1;
-    }
+    let most = greatest(gain);
     let least = divide(UNSEEN << 32, most as u128);
     // An unseen lobe has a cutoff all the same.
     let y = if most == 0 || least >= ONE / 2 {

@@ -1,9 +1,12 @@
 //! A lobe's highlight on a sphere that is seen from afar, a row at a time,
 //! straight to a display's codes.
 
+mod angle;
 mod lit_sphere;
 mod lobe_colours;
+mod reach;
 mod rows;
+mod wide;
 
 pub use lit_sphere::LitSphere;
 pub use lobe_colours::LobeColours;

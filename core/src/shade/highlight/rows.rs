@@ -2,13 +2,14 @@
 
 use fixed::types::I2F30;
 
-use super::lit_sphere::{
-    COEFFICIENT_BITS, LitSphere, OFFSET_BITS, SLOPE_BITS, STEP_BITS, UNIT_BITS,
-};
+use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, OFFSET_BITS, SLOPE_BITS, STEP_BITS};
 use super::lobe_colours::{LESS_BITS, LobeColours, SUM_BITS};
+use super::wide::UNIT_BITS;
 
 /// Fraction bits of an offset on its way along a row.
 const WAY_BITS: u32 = 16;
+/// Pixels over which z² goes on in 32 bits; its last bits would count beyond.
+const CHUNK: i32 = 128;
 /// Fraction bits of an offset where the lobe's ends are sought.
 const COARSE_BITS: u32 = 26;
 /// How much farther they are sought, for what is rounded on the way.
@@ -18,8 +19,7 @@ const _: () = assert!(OFFSET_BITS + SLOPE_BITS == LESS_BITS);
 
 /// A picture of a sphere, row after row: made by [`LitSphere::rows`].
 ///
-/// From a pixel to the next there are only sums; a row takes no product of
-/// more than 32 bits.
+/// From a pixel to the next there are only sums.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereRows<'a, const COLOURS: usize, const STEPS: usize> {
     lit: &'a LitSphere<STEPS>,
@@ -42,21 +42,41 @@ struct Offsets {
     b: i32,
 }
 
-/// What is known of a pixel, modulo 2³²: within the lobe it is what it says.
+/// What is known of a pixel.
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    /// 28 fraction bits of the cutoff's.
+    /// 28 fraction bits of the cutoff's, modulo 2³²: within the lobe it is what
+    /// it says.
     offsets: Offsets,
-    /// z² in steps.
-    square: i32,
+    /// z² above where steps begin, 60 fraction bits.
+    square: i64,
 }
 
+/// From a pixel to another.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     offsets: Offsets,
     /// Of z², and by how much it changes.
-    square: i32,
+    square: i64,
+    bend: i64,
+}
+
+/// Place and step of z² in steps, modulo 2³².
+#[derive(Clone, Copy, Debug)]
+struct Squares {
+    at: i32,
+    change: i32,
     bend: i32,
+}
+
+impl Squares {
+    /// This one, and on to the next.
+    fn next(&mut self) -> i32 {
+        let at = self.at;
+        self.at = self.at.wrapping_add(self.change);
+        self.change = self.change.wrapping_add(self.bend);
+        at
+    }
 }
 
 impl Offsets {
@@ -73,23 +93,21 @@ impl Offsets {
 }
 
 impl Place {
-    /// So many pixels on.
-    fn plus_times(self, step: Step, times: i32) -> (Self, Step) {
-        // times · (times − 1)/2: one of the two is even.
-        let pairs = (times / 2).wrapping_mul((times - 1) | 1);
-        let square = step.square.wrapping_mul(times);
-        let place = Self {
+    fn plus_times(self, step: Step, times: i32) -> Self {
+        let wide = i64::from(times);
+        let changes = (step.bend).wrapping_mul(wide.wrapping_mul(wide - 1) / 2);
+        Self {
             offsets: self.offsets.plus_times(step.offsets, times),
-            square: (self.square.wrapping_add(square)).wrapping_add(step.bend.wrapping_mul(pairs)),
-        };
-        (place, step.after(times))
+            square: (self.square.wrapping_add(step.square.wrapping_mul(wide)))
+                .wrapping_add(changes),
+        }
     }
 }
 
 impl Step {
     fn after(self, times: i32) -> Self {
         Self {
-            square: self.square.wrapping_add(self.bend.wrapping_mul(times)),
+            square: (self.square).wrapping_add(self.bend.wrapping_mul(i64::from(times))),
             ..self
         }
     }
@@ -116,23 +134,14 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             coarse: self.coarse(x, y),
             place: Place {
                 offsets: self.fine(x, y, height),
-                square: self.square(
-                    zero.wrapping_sub(x.wrapping_mul(x))
-                        .wrapping_sub(y.wrapping_mul(y)),
-                ),
+                square: zero
+                    .wrapping_sub(x.wrapping_mul(x))
+                    .wrapping_sub(y.wrapping_mul(y)),
             },
             coarse_across: self.coarse(across, 0),
-            across: self.step(self.fine(across, 0, 0), x, across),
+            across: step_of(self.fine(across, 0, 0), x, across),
             coarse_down: self.coarse(0, down),
-            down: self.step(self.fine(0, down, 0), y, down),
-        }
-    }
-
-    fn step(&self, offsets: Offsets, from: i64, step: i64) -> Step {
-        Step {
-            offsets,
-            square: self.square((2 * from + step).wrapping_mul(-step)),
-            bend: self.square((-2 * step).wrapping_mul(step)),
+            down: step_of(self.fine(0, down, 0), y, down),
         }
     }
 
@@ -157,9 +166,14 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         }
     }
 
-    /// From 60 fraction bits.
-    fn square(&self, square: i64) -> i32 {
-        (square >> (UNIT_BITS - STEP_BITS + self.step_bits)) as i32
+    fn squares(&self, place: Place, step: Step) -> Squares {
+        // From 60 fraction bits.
+        let drop = UNIT_BITS - STEP_BITS + self.step_bits;
+        Squares {
+            at: (place.square >> drop) as i32,
+            change: (step.square >> drop) as i32,
+            bend: (step.bend >> drop) as i32,
+        }
     }
 
     /// Whether the lobe may reach a point.
@@ -172,9 +186,16 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     }
 }
 
+fn step_of(offsets: Offsets, from: i64, step: i64) -> Step {
+    Step {
+        offsets,
+        square: (2 * from + step).wrapping_mul(-step),
+        bend: (-2 * step).wrapping_mul(step),
+    }
+}
+
 impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
-    /// RGB565 codes of the next row, up to 32767 of them: 0 beside the sphere and
-    /// the lobe.
+    /// RGB565 codes of the next row: 0 beside the sphere and the lobe.
     pub fn shade(&mut self, pixels: &mut [u16]) {
         let count = pixels.len() as i32;
         // From both ends to where the lobe may begin: what is left is contiguous.
@@ -193,18 +214,25 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
             *pixel = 0;
             last = last.plus_times(self.coarse_across, -1);
         }
-        let (place, step) = self.place.plus_times(self.across, first);
-        self.lobe(place, step, rest.into_slice());
+        for pixels in rest.into_slice().chunks_mut(CHUNK as usize) {
+            let place = self.place.plus_times(self.across, first);
+            self.lobe(place, self.across.after(first), pixels);
+            first = first.wrapping_add(CHUNK);
+        }
 
         self.coarse = self.coarse.plus(self.coarse_down);
-        (self.place, self.down) = self.place.plus_times(self.down, 1);
+        self.place = self.place.plus_times(self.down, 1);
+        self.down = self.down.after(1);
     }
 
-    /// The pixels that may be in the lobe.
-    fn lobe(&self, mut place: Place, mut step: Step, pixels: &mut [u16]) {
+    /// Pixels that may be in the lobe.
+    fn lobe(&self, place: Place, step: Step, pixels: &mut [u16]) {
+        let mut squares = self.lit.squares(place, step);
+        let mut at = place.offsets;
         if cfg!(long_multiply) {
             for pixel in pixels {
-                *pixel = self.pixel(&mut place, &mut step);
+                *pixel = self.pixel(squares.next(), at);
+                at = at.plus(step.offsets);
             }
             return;
         }
@@ -213,20 +241,20 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         let mut pairs = pixels.chunks_exact_mut(2);
         for pair in &mut pairs {
             for pixel in pair {
-                *pixel = self.pixel(&mut place, &mut step);
+                *pixel = self.pixel(squares.next(), at);
+                at = at.plus(step.offsets);
             }
         }
         for pixel in pairs.into_remainder() {
-            *pixel = self.pixel(&mut place, &mut step);
+            *pixel = self.pixel(squares.next(), at);
         }
     }
 
     #[inline(always)]
-    fn pixel(&self, place: &mut Place, step: &mut Step) -> u16 {
-        let cell = self.lit.at(place.square);
-        let d = (place.offsets.d >> WAY_BITS).wrapping_add(i32::from(cell as i16));
-        let b = place.offsets.b >> WAY_BITS;
-        (*place, *step) = place.plus_times(*step, 1);
+    fn pixel(&self, square: i32, at: Offsets) -> u16 {
+        let cell = self.lit.at(square);
+        let d = (at.d >> WAY_BITS).wrapping_add(i32::from(cell as i16));
+        let b = at.b >> WAY_BITS;
         let x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b)) as u32;
         if d >= 0 {
             self.colours.at(x)
