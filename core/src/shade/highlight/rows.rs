@@ -225,8 +225,8 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         self.down = self.down.after(1);
     }
 
-    /// Pixels that may be in the lobe. Inlined into the loop over chunks, it
-    /// would leave more of its state on the stack: 3 cycles a pixel.
+    /// Pixels that may be in the lobe.
+    // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, place: Place, step: Step, pixels: &mut [u16]) {
         let mut squares = self.lit.squares(place, step);
