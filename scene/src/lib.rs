@@ -22,6 +22,7 @@ mod reader;
 mod square;
 mod surface;
 pub mod vector;
+mod wide;
 
 pub use albedo::{AlbedoTable, directional_albedo};
 pub use bake::bake;
@@ -31,7 +32,7 @@ pub use description::{
     PlaneDescription, SphereDescription,
 };
 pub use error::SceneError;
-pub use host::HostArithmetic;
+pub use host::{HostArithmetic, HostModels, Native};
 pub use lamp::AnyLight;
 pub use material::{Material, PatchShape, Reflectance};
 pub use mesh::{
@@ -45,3 +46,4 @@ pub use quality::{AnySamples, AnyShadows};
 pub use reader::Colour;
 pub use square::SquareProfile;
 pub use surface::{AnyDaylight, AnyScene, AnySurface, SceneParts};
+pub use wide::WideScene;

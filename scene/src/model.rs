@@ -15,7 +15,7 @@ use microbrdf_reference as reference;
 use reference::models as exact;
 
 use crate::curve::cosine_curve;
-use crate::host::HostArithmetic;
+use crate::host::{HostArithmetic, HostModels};
 use crate::material::{Material, PatchShape, Reflectance};
 use crate::square::SquareProfile;
 
@@ -110,6 +110,30 @@ impl Material {
     /// A parameter that this arithmetic does not take: a fractional exponent
     /// below 1 in fixed point.
     pub fn model<A: HostArithmetic>(&self) -> Result<AnyModel<A>, ParameterError> {
+        let Self::Plastic {
+            albedo,
+            specular,
+            exponent,
+            index,
+        } = self
+        else {
+            return self.part();
+        };
+        let plastic = A::plastic(albedo.rgb(), specular.rgb(), *exponent)?;
+        Ok(match index {
+            None => AnyModel::Plastic(Box::new(plastic)),
+            Some(index) => AnyModel::FresnelPlastic(Box::new(
+                plastic.with_fresnel(Reflectance::dielectric(*index).curve()),
+            )),
+        })
+    }
+
+    /// The core's model of a material that is one part ([`Self::parts`]).
+    ///
+    /// # Errors
+    /// A parameter that this arithmetic does not take: a fractional exponent
+    /// below 1 in fixed point; a plastic, which is two parts.
+    pub(crate) fn part<A: HostModels>(&self) -> Result<AnyModel<A>, ParameterError> {
         Ok(match self {
             Self::Lambert { albedo } => AnyModel::Lambert(Box::new(A::lambert(albedo.rgb())?)),
             Self::Phong {
@@ -157,24 +181,16 @@ impl Material {
                 generalised_profile(*smoothness, *clip).curve(),
                 A::scale(self.reference().peak()),
             ))),
-            Self::Plastic {
-                albedo,
-                specular,
-                exponent,
-                index,
-            } => {
-                let plastic = A::plastic(albedo.rgb(), specular.rgb(), *exponent)?;
-                match index {
-                    None => AnyModel::Plastic(Box::new(plastic)),
-                    Some(index) => AnyModel::FresnelPlastic(Box::new(
-                        plastic.with_fresnel(Reflectance::dielectric(*index).curve()),
-                    )),
-                }
+            Self::Plastic { .. } => {
+                return Err(ParameterError {
+                    parameter: "model",
+                    accepted: "one of a plastic's parts",
+                });
             }
         })
     }
 
-    fn lobe<A: HostArithmetic>(
+    fn lobe<A: HostModels>(
         &self,
         n: f64,
         p: f64,
@@ -197,7 +213,7 @@ impl Material {
     }
 
     /// The lobe with the peak that this material's `energy` asks for.
-    fn energy<A: HostArithmetic, X: Axis, P: Foreshortening<A>>(
+    fn energy<A: HostModels, X: Axis, P: Foreshortening<A>>(
         &self,
         lobe: PhongLobe<A, X, P>,
     ) -> Box<PhongLobe<A, X, P>> {

@@ -102,6 +102,20 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     /// Whether light arrives and is seen: as [`Self::above_horizon`], and not
     /// along the surface.
     fn lit(n_dot_l: Self::Cosine, n_dot_v: Self::Cosine) -> bool;
+    /// cosΘmin: the larger cosine belongs to the smaller angle (3.4).
+    #[inline]
+    fn larger(n_dot_l: Self::Cosine, n_dot_v: Self::Cosine) -> Self::Cosine {
+        if n_dot_l >= n_dot_v { n_dot_l } else { n_dot_v }
+    }
+    /// The share 1 where a separation is at most `limit`, 0 where it is more.
+    #[inline]
+    fn within(separation: Self::Separation, limit: Self::Separation) -> Self::Unit {
+        if separation <= limit {
+            Self::ONE
+        } else {
+            Self::ZERO
+        }
+    }
     /// Whether the directions behind a versine were numbers.
     fn is_number(x: Self::Versine) -> bool;
     /// cosⁿα = (1 − x)ⁿ; 0 for x ≥ 1.

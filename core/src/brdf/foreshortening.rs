@@ -2,7 +2,6 @@
 
 use fixed::types::U0F32;
 
-use super::larger;
 use crate::arithmetic::{Arithmetic, Float, Math, Q15, Q31};
 use crate::error::ParameterError;
 use crate::table::CosinePowerTable;
@@ -72,6 +71,15 @@ pub struct PowerModel<A: Arithmetic> {
     rest: A::CosinePower,
 }
 
+impl<A: Arithmetic> PowerModel<A> {
+    /// Division by cosᵖΘmin, with c^(1−p) as an arithmetic of one's own holds it;
+    /// nothing is checked.
+    #[must_use]
+    pub const fn from_stored(rest: A::CosinePower) -> Self {
+        Self { rest }
+    }
+}
+
 impl<M: Math> PowerModel<Float<M>> {
     /// Division by cosᵖΘmin, `p` in [0, 1].
     ///
@@ -114,7 +122,7 @@ const P_RANGE: ParameterError = ParameterError::new("p", "a number from 0 to 1")
 impl<A: Arithmetic> Foreshortening<A> for PowerModel<A> {
     #[inline]
     fn attenuate(&self, shape: A::Unit, n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Unit {
-        let rest = A::cosine_power(&self.rest, larger::<A>(n_dot_l, n_dot_v));
+        let rest = A::cosine_power(&self.rest, A::larger(n_dot_l, n_dot_v));
         let metallic = Foreshortening::<A>::attenuate(&Metallic, shape, n_dot_l, n_dot_v);
         A::product(metallic, rest)
     }

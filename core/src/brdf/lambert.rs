@@ -61,6 +61,15 @@ macro_rules! in_fixed_point {
 in_fixed_point!(Q31);
 in_fixed_point!(Q15);
 
+impl<A: Arithmetic> Lambert<A> {
+    /// The diffuser of an albedo as an arithmetic of one's own holds it, with the
+    /// peak 1/π; nothing is checked.
+    #[must_use]
+    pub const fn from_stored(albedo: Rgb<A::Unit>, peak: A::Scale) -> Self {
+        Self { peak, albedo }
+    }
+}
+
 impl<A: Arithmetic> Shape for Lambert<A> {
     type Arithmetic = A;
     type Foreshortening = Flat;

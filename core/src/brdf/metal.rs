@@ -1,8 +1,8 @@
 //! Metals: cosⁿα / g(Θmin) (3.29).
 
+use super::Shape;
 use super::foreshortening::Metallic;
 use super::phong::MetallicPhong;
-use super::{Shape, larger};
 use crate::arithmetic::Arithmetic;
 use crate::colour::Rgb;
 use crate::geometry::Geometry;
@@ -62,6 +62,6 @@ impl<A: Arithmetic> Shape for Metal<A> {
     #[inline]
     fn coloured(&self, share: A::Unit, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        A::tint(share, &self.fresnel, larger::<A>(n_dot_l, n_dot_v))
+        A::tint(share, &self.fresnel, A::larger(n_dot_l, n_dot_v))
     }
 }

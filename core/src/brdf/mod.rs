@@ -156,17 +156,11 @@ fn tinted_brdf<A: Arithmetic>(
     if !A::above_horizon(n_dot_l, n_dot_v) {
         return Rgb::grey(A::value(peak, A::ZERO));
     }
-    let larger = larger::<A>(n_dot_l, n_dot_v);
+    let larger = A::larger(n_dot_l, n_dot_v);
     let shape = model.coloured(model.lobe(geometry), geometry);
     tint.zip(shape, |tint, shape| {
         model
             .foreshortening()
             .value(peak, A::product(shape, tint), larger)
     })
-}
-
-/// cosΘmin: the larger cosine belongs to the smaller angle (3.4).
-#[inline]
-pub(crate) fn larger<A: Arithmetic>(n_dot_l: A::Cosine, n_dot_v: A::Cosine) -> A::Cosine {
-    if n_dot_l >= n_dot_v { n_dot_l } else { n_dot_v }
 }

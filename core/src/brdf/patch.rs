@@ -75,7 +75,23 @@ in_fixed_point!(Q31);
 in_fixed_point!(Q15);
 
 impl<A: Arithmetic> Patch<A> {
+    /// The disc of a squared radius as an arithmetic of one's own holds it, with
+    /// its peak in sr⁻¹; nothing is checked.
+    #[must_use]
+    pub const fn from_stored(radius_squared: A::Separation, peak: A::Scale) -> Self {
+        Self {
+            radius_squared,
+            peak,
+        }
+    }
+
     /// Whether V lies within the disc: m ≤ R.
+    /// R² as the arithmetic holds it.
+    #[must_use]
+    pub const fn radius_squared(&self) -> A::Separation {
+        self.radius_squared
+    }
+
     #[inline]
     pub(super) fn covers(&self, geometry: &impl Geometry<A>) -> bool {
         geometry.separation() <= self.radius_squared
@@ -98,10 +114,6 @@ impl<A: Arithmetic> Shape for Patch<A> {
 
     #[inline]
     fn lobe(&self, geometry: &impl Geometry<A>) -> A::Unit {
-        if self.covers(geometry) {
-            A::ONE
-        } else {
-            A::ZERO
-        }
+        A::within(geometry.separation(), self.radius_squared)
     }
 }

@@ -118,6 +118,13 @@ const fn series_coefficient(k: u32) -> u128 {
 }
 
 impl<A: Arithmetic> PatchExponential<A> {
+    /// The mixture of a profile as an arithmetic of one's own holds it, with its
+    /// peak in sr⁻¹; nothing is checked.
+    #[must_use]
+    pub const fn from_stored(profile: A::Profile, peak: A::Scale) -> Self {
+        Self { profile, peak }
+    }
+
     /// ξ(m) for m².
     #[inline]
     pub(crate) fn profile(&self, m_squared: A::Separation) -> A::Unit {

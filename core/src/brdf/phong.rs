@@ -85,6 +85,21 @@ impl Axis for Retro {
 }
 
 impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> PhongLobe<A, X, P> {
+    /// The lobe cosⁿα as an arithmetic of one's own holds it, with its peak in sr⁻¹
+    /// and a foreshortening; nothing is checked.
+    #[must_use]
+    pub const fn from_stored(power: A::Power, peak: A::Scale, foreshortening: P) -> Self
+    where
+        P: Copy,
+    {
+        Self {
+            power,
+            peak,
+            foreshortening,
+            axis: PhantomData,
+        }
+    }
+
     /// Its stored lobe cosⁿα.
     #[inline]
     pub(super) fn power(&self) -> &A::Power {

@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
+use super::Shape;
 use super::patch_exponential::PatchExponential;
-use super::{Shape, larger};
 use crate::arithmetic::Arithmetic;
 use crate::colour::Rgb;
 use crate::geometry::Geometry;
@@ -45,7 +45,7 @@ impl Incidence for ThetaMin {
     #[inline]
     fn cosine<A: Arithmetic>(geometry: &impl Geometry<A>) -> A::Cosine {
         let (n_dot_l, n_dot_v) = geometry.cosines();
-        larger::<A>(n_dot_l, n_dot_v)
+        A::larger(n_dot_l, n_dot_v)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::phong::{Lobe, MetallicPhongSampler};
 use super::{Drawn, Sample, Sampling};
-use crate::brdf::{Metal, Mirror, larger};
+use crate::brdf::{Metal, Mirror};
 use crate::geometry::Direction;
 use crate::table::CosineCurve;
 
@@ -37,7 +37,7 @@ impl<A: Sampling> Sample<A> for MetalSampler<A> {
     fn sample(&self, v: &Direction<A>, random: [A::Uniform; 2]) -> Option<Drawn<A>> {
         let direction = self.lobe.draw::<Mirror>(v, random)?;
         let ratio = A::ratio(direction.cosine(), v.cosine());
-        let cos_min = larger::<A>(direction.cosine(), v.cosine());
+        let cos_min = A::larger(direction.cosine(), v.cosine());
         let reflectance = self.model.reflectance(cos_min);
         Some(Drawn {
             direction,

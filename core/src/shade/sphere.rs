@@ -17,9 +17,10 @@ pub struct Sphere<A: Tracing> {
 }
 
 impl<A: Tracing> Sphere<A> {
-    /// Distance, normal and material where the ray `d` enters.
+    /// Distance, normal and material where the ray `d` enters; `None` beside the
+    /// sphere and behind the eye. Whoever asks has looked at [`Self::extent`].
     #[inline]
-    pub(crate) fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
+    pub fn hit(&self, d: &A::Ray) -> Option<(A::Depth, Direction<A>, u8)> {
         let along = A::along(&self.eye, d);
         let nearest = A::nearest(&self.eye, d, along)?;
         let half = A::half_chord(&nearest)?;

@@ -133,7 +133,7 @@ impl CosineCurve {
         } else {
             cosine * 64.0 + (FINE_CELLS - 16) as f32
         };
-        let cell = position as usize;
+        let cell = position as u32 as usize;
         let Some(left) = self.entries.get(cell) else {
             return Rgb::grey(0.0);
         };

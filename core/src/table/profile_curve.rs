@@ -94,7 +94,7 @@ impl ProfileCurve {
             return 0.0;
         }
         let position = distance * ((CELLS / 2) << self.halvings) as f32;
-        let cell = position as usize;
+        let cell = position as u32 as usize;
         let (left, right) = self.ends(cell);
         let (left, right) = (left as f32, right as f32);
         // Past the last knot both are the same: any finite position will do.

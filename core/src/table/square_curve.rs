@@ -86,7 +86,7 @@ impl SquareCurve {
         }
         let share = square * (self.inverse as f32 / 4_294_967_296.0);
         let position = share * CELLS as f32;
-        let cell = position as usize;
+        let cell = position as u32 as usize;
         let (left, right) = self.ends(cell);
         // Past the last knot both are the same: any finite position will do.
         let within = position.min(CELLS as f32) - cell.min(CELLS) as f32;

@@ -32,8 +32,8 @@ pub fn run(arguments: &Bench) -> Outcome<()> {
     let exact = Renderer::new(&scene);
     let mut renderers: Vec<(&str, Turn<'_>)> = Vec::new();
     for name in ArithmeticName::ALL {
-        let render = render::renderer(&scene, name)?;
-        let turn = move || drop(black_box(render().srgb()));
+        let renderer = render::Renderer::new(&scene, name)?;
+        let turn = move || drop(black_box(renderer.srgb()));
         renderers.push((name.name(), Box::new(turn)));
     }
     renderers.push((

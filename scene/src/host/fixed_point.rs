@@ -9,7 +9,7 @@ use microbrdf::geometry::Direction;
 use microbrdf::shade::{FloodLight, PointLight};
 use microbrdf::{ParameterError, Rgb};
 
-use super::HostArithmetic;
+use super::{HostArithmetic, HostModels};
 
 /// `value`/2^`bits` with all its decimals, of which there are at most `bits`:
 /// it reads back exactly into any type that holds it. (The digits that `fixed`
@@ -31,6 +31,31 @@ fn exact(value: u128, bits: u32) -> String {
 
 macro_rules! fixed_point {
     ($arithmetic:ident, $component:ident, $cosine:expr, $gain:ident) => {
+        impl<const SIZE: usize> HostModels for $arithmetic<SIZE> {
+            fn scale(value: f64) -> U32F32 {
+                U32F32::saturating_from_num(value)
+            }
+            fn lobe<X: Axis, P: Foreshortening<Self> + Copy>(
+                exponent: f64,
+                foreshortening: P,
+            ) -> Result<PhongLobe<Self, X, P>, ParameterError> {
+                let exponent = U32F32::saturating_from_num(exponent);
+                PhongLobe::<Self, X, P>::with_foreshortening(exponent, foreshortening)
+            }
+            fn power_model(p: f64) -> Result<PowerModel<Self>, ParameterError> {
+                PowerModel::<Self>::new(U0F32::saturating_from_num(p))
+            }
+            fn patch(radius: f64) -> Result<Patch<Self>, ParameterError> {
+                Patch::<Self>::new(U2F30::saturating_from_num(radius))
+            }
+            fn patch_exponential(sharpness: f64) -> Result<PatchExponential<Self>, ParameterError> {
+                PatchExponential::<Self>::new(U32F32::saturating_from_num(sharpness))
+            }
+            fn lambert(albedo: [f64; 3]) -> Result<Lambert<Self>, ParameterError> {
+                Lambert::<Self>::new(Rgb::from_array(albedo.map(Self::unit)))
+            }
+        }
+
         impl<const SIZE: usize> HostArithmetic for $arithmetic<SIZE> {
             const TYPE: &'static str = concat!("microbrdf::arithmetic::", stringify!($arithmetic));
 
@@ -51,9 +76,6 @@ macro_rules! fixed_point {
             }
             fn unit_value(unit: U1F31) -> f64 {
                 unit.to_num()
-            }
-            fn scale(value: f64) -> U32F32 {
-                U32F32::saturating_from_num(value)
             }
             fn gain(value: f64) -> $gain {
                 $gain::new(U32F32::saturating_from_num(value))
@@ -80,25 +102,6 @@ macro_rules! fixed_point {
                 U2F30::saturating_from_num(value).to_num()
             }
 
-            fn lobe<X: Axis, P: Foreshortening<Self> + Copy>(
-                exponent: f64,
-                foreshortening: P,
-            ) -> Result<PhongLobe<Self, X, P>, ParameterError> {
-                let exponent = U32F32::saturating_from_num(exponent);
-                PhongLobe::<Self, X, P>::with_foreshortening(exponent, foreshortening)
-            }
-            fn power_model(p: f64) -> Result<PowerModel<Self>, ParameterError> {
-                PowerModel::<Self>::new(U0F32::saturating_from_num(p))
-            }
-            fn patch(radius: f64) -> Result<Patch<Self>, ParameterError> {
-                Patch::<Self>::new(U2F30::saturating_from_num(radius))
-            }
-            fn patch_exponential(sharpness: f64) -> Result<PatchExponential<Self>, ParameterError> {
-                PatchExponential::<Self>::new(U32F32::saturating_from_num(sharpness))
-            }
-            fn lambert(albedo: [f64; 3]) -> Result<Lambert<Self>, ParameterError> {
-                Lambert::<Self>::new(Rgb::from_array(albedo.map(Self::unit)))
-            }
             fn plastic(
                 albedo: [f64; 3],
                 specular: [f64; 3],

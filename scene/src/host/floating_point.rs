@@ -8,7 +8,7 @@ use microbrdf::geometry::Direction;
 use microbrdf::shade::{FloodLight, PointLight};
 use microbrdf::{ParameterError, Rgb};
 
-use super::HostArithmetic;
+use super::{HostArithmetic, HostModels, Native};
 
 /// How generated Rust names an arithmetic.
 trait Named: Math + Send + Sync {
@@ -19,12 +19,41 @@ impl Named for Libm {
     const TYPE: &'static str = "microbrdf::arithmetic::F32";
 }
 
+/// On a microcontroller it is libm's.
+impl Named for Native {
+    const TYPE: &'static str = Libm::TYPE;
+}
+
 impl Named for Approximate {
     const TYPE: &'static str = "microbrdf::arithmetic::Micromath";
 }
 
 fn f32_code(value: f32) -> String {
     format!("f32::from_bits({:#010x})", value.to_bits())
+}
+
+impl<M: Named> HostModels for Float<M> {
+    fn scale(value: f64) -> f32 {
+        value as f32
+    }
+    fn lobe<X: Axis, P: Foreshortening<Self> + Copy>(
+        exponent: f64,
+        foreshortening: P,
+    ) -> Result<PhongLobe<Self, X, P>, ParameterError> {
+        PhongLobe::<Self, X, P>::with_foreshortening(exponent as f32, foreshortening)
+    }
+    fn power_model(p: f64) -> Result<PowerModel<Self>, ParameterError> {
+        PowerModel::<Self>::new(p as f32)
+    }
+    fn patch(radius: f64) -> Result<Patch<Self>, ParameterError> {
+        Patch::<Self>::new(radius as f32)
+    }
+    fn patch_exponential(sharpness: f64) -> Result<PatchExponential<Self>, ParameterError> {
+        PatchExponential::<Self>::new(sharpness as f32)
+    }
+    fn lambert(albedo: [f64; 3]) -> Result<Lambert<Self>, ParameterError> {
+        Lambert::<Self>::new(Rgb::from_array(albedo.map(|channel| channel as f32)))
+    }
 }
 
 impl<M: Named> HostArithmetic for Float<M> {
@@ -47,9 +76,6 @@ impl<M: Named> HostArithmetic for Float<M> {
     }
     fn unit_value(unit: f32) -> f64 {
         f64::from(unit)
-    }
-    fn scale(value: f64) -> f32 {
-        value as f32
     }
     fn gain(value: f64) -> f32 {
         value as f32
@@ -76,24 +102,6 @@ impl<M: Named> HostArithmetic for Float<M> {
         f64::from(value as f32)
     }
 
-    fn lobe<X: Axis, P: Foreshortening<Self> + Copy>(
-        exponent: f64,
-        foreshortening: P,
-    ) -> Result<PhongLobe<Self, X, P>, ParameterError> {
-        PhongLobe::<Self, X, P>::with_foreshortening(exponent as f32, foreshortening)
-    }
-    fn power_model(p: f64) -> Result<PowerModel<Self>, ParameterError> {
-        PowerModel::<Self>::new(p as f32)
-    }
-    fn patch(radius: f64) -> Result<Patch<Self>, ParameterError> {
-        Patch::<Self>::new(radius as f32)
-    }
-    fn patch_exponential(sharpness: f64) -> Result<PatchExponential<Self>, ParameterError> {
-        PatchExponential::<Self>::new(sharpness as f32)
-    }
-    fn lambert(albedo: [f64; 3]) -> Result<Lambert<Self>, ParameterError> {
-        Lambert::<Self>::new(Rgb::from_array(albedo.map(|channel| channel as f32)))
-    }
     fn plastic(
         albedo: [f64; 3],
         specular: [f64; 3],

@@ -2,18 +2,22 @@
 
 mod fixed_point;
 mod floating_point;
+mod models;
+mod native;
+
+pub use models::HostModels;
+pub use native::Native;
 
 use microbrdf::ParameterError;
-use microbrdf::brdf::{
-    Axis, Foreshortening, Lambert, Patch, PatchExponential, PhongLobe, Plastic, PowerModel,
-};
+use microbrdf::brdf::Plastic;
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{FloodLight, Placing, PointLight};
 
 /// What a host adds to an arithmetic: conversion of every quantity, each
 /// rounded once, and how its constants are written in Rust.
 pub trait HostArithmetic:
-    Placing<
+    HostModels
+    + Placing<
         Component: Send + Sync,
         Length: Send + Sync,
         Fine: Send + Sync,
@@ -42,8 +46,6 @@ pub trait HostArithmetic:
     fn unit(value: f64) -> Self::Unit;
     /// The share's value.
     fn unit_value(unit: Self::Unit) -> f64;
-    /// Rounds a peak.
-    fn scale(value: f64) -> Self::Scale;
     /// Rounds a gain; the greatest that it holds is 4e9.
     fn gain(value: f64) -> Self::Gain;
     /// Rounds a length, of a magnitude below 128.
@@ -62,34 +64,6 @@ pub trait HostArithmetic:
     /// Rounds a radius.
     fn radius_value(value: f64) -> f64;
 
-    /// The lobe of an exponent, an axis and a foreshortening.
-    ///
-    /// # Errors
-    /// An exponent that this arithmetic does not take.
-    fn lobe<X: Axis, P: Foreshortening<Self> + Copy>(
-        exponent: f64,
-        foreshortening: P,
-    ) -> Result<PhongLobe<Self, X, P>, ParameterError>;
-    /// The p-model's foreshortening.
-    ///
-    /// # Errors
-    /// A p outside (0, 1).
-    fn power_model(p: f64) -> Result<PowerModel<Self>, ParameterError>;
-    /// The basic patch.
-    ///
-    /// # Errors
-    /// A radius outside its range.
-    fn patch(radius: f64) -> Result<Patch<Self>, ParameterError>;
-    /// The exponential mixture.
-    ///
-    /// # Errors
-    /// A sharpness outside its range.
-    fn patch_exponential(sharpness: f64) -> Result<PatchExponential<Self>, ParameterError>;
-    /// The diffuser.
-    ///
-    /// # Errors
-    /// An albedo outside its range.
-    fn lambert(albedo: [f64; 3]) -> Result<Lambert<Self>, ParameterError>;
     /// The plastic.
     ///
     /// # Errors

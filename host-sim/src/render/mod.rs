@@ -1,17 +1,19 @@
 //! Pictures as the core computes them.
 
+mod renderer;
+
+pub use renderer::Renderer;
+
 use std::convert::Infallible;
 
 use microbrdf::shade::{Linear, grey16, grey16_nearest};
 use microbrdf_link::{FrameWriter, Header, PixelFormat, SendError};
-use microbrdf_scene::{Description, HostArithmetic, SceneParts};
+use microbrdf_scene::Description;
 use rayon::prelude::*;
 
 use crate::arithmetic::ArithmeticName;
-use crate::exit::{Failure, Outcome};
+use crate::exit::Outcome;
 use crate::picture::Picture;
-use crate::progress::Progress;
-use crate::with_arithmetic;
 
 /// Columns and rows of the grey panel.
 const PANEL: [usize; 2] = [128, 64];
@@ -32,41 +34,7 @@ pub struct Frame {
 
 /// Shades the scene in an arithmetic.
 pub fn frame(description: &Description, arithmetic: ArithmeticName) -> Outcome<Frame> {
-    Ok(renderer(description, arithmetic)?())
-}
-
-/// The scene in an arithmetic, ready to be shaded at each call.
-pub fn renderer(
-    description: &Description,
-    arithmetic: ArithmeticName,
-) -> Outcome<Box<dyn Fn() -> Frame + '_>> {
-    with_arithmetic!(arithmetic, A => {
-        let prepared = description.prepare::<A>().map_err(Failure::Usage)?;
-        let parts = SceneParts::new(prepared);
-        Ok(Box::new(move || shade(description, &parts)))
-    })
-}
-
-fn shade<A: HostArithmetic>(description: &Description, parts: &SceneParts<A>) -> Frame {
-    let surfaces = parts.surfaces();
-    let scene = parts.scene(&surfaces);
-    let (width, height) = (
-        usize::from(description.camera.width),
-        usize::from(description.camera.height),
-    );
-    let progress = Progress::new("shading", height);
-    let mut pixels = vec![Linear::default(); width * height];
-    let rows = pixels.par_chunks_exact_mut(width).enumerate();
-    rows.for_each(|(y, row)| {
-        scene.shade_row(y, |x, light| row[x] = light);
-        progress.step();
-    });
-    Frame {
-        width,
-        height,
-        pixels,
-        dither: description.dither,
-    }
+    Ok(Renderer::new(description, arithmetic)?.frame())
 }
 
 impl Frame {

@@ -1,0 +1,245 @@
+//! A scene, shaded eight pixels at a time.
+
+use microbrdf::Rgb;
+use microbrdf::arithmetic::{Arithmetic, Float};
+use microbrdf::brdf::Brdf;
+use microbrdf::geometry::Direction;
+use microbrdf::shade::{
+    AlbedoDaylight, Camera, Checker, Daylight, Ground, Linear, Plane, Sphere, Tracing,
+};
+
+use super::arithmetic::clamped;
+use super::geometry::Lit;
+use super::lanes::One;
+use super::{Lanes, WIDTH, Wide};
+use crate::host::{HostArithmetic, Native};
+use crate::lamp::AnyLight;
+use crate::model::AnyModel;
+use crate::prepare::{Prepared, PreparedCoat};
+use crate::quality::{AnySamples, AnyShadows};
+
+/// The index of no material.
+const NOTHING: u32 = u32::MAX;
+
+/// A scene of spheres and planes under distant lights, in single precision: its
+/// rows have the bits of the core's, and come several times sooner.
+#[derive(Debug)]
+pub struct WideScene {
+    camera: Camera<Wide>,
+    spheres: Vec<Sphere<Wide>>,
+    planes: Vec<Plane<Wide>>,
+    lights: Vec<Direction<Wide>>,
+    materials: Vec<Vec<Coat>>,
+    background: Linear,
+}
+
+/// One of a material's parts.
+#[derive(Debug)]
+struct Coat {
+    model: AnyModel<Wide>,
+    gains: Vec<Rgb<f32>>,
+    daylight: Option<AlbedoDaylight<Wide>>,
+}
+
+/// What eight pixels see.
+struct Seen {
+    depths: Lanes,
+    normals: Direction<Wide>,
+    materials: [u32; WIDTH],
+}
+
+fn all(direction: Direction<One>) -> Direction<Wide> {
+    Direction::new(
+        Lanes::all(direction.x),
+        Lanes::all(direction.y),
+        Lanes::all(direction.z),
+    )
+}
+
+impl WideScene {
+    /// The prepared scene; `None` for what decides by the place or by several
+    /// rays: lamps, checkers, meshes, shadows, samples.
+    #[must_use]
+    pub fn new(scene: &Prepared<Float<Native>>) -> Option<Self> {
+        if scene.view.is_some()
+            || scene.shadows != AnyShadows(false)
+            || scene.samples != AnySamples::One
+        {
+            return None;
+        }
+        let lights = scene.lights.iter().map(|light| match light {
+            AnyLight::Directional(direction) => Some(all(*direction)),
+            _ => None,
+        });
+        let camera = &scene.camera;
+        Some(Self {
+            camera: Camera {
+                width: camera.width,
+                height: camera.height,
+                forward: camera.forward,
+                right: camera.right,
+                up: camera.up,
+            },
+            spheres: scene.spheres.iter().map(sphere).collect(),
+            planes: scene.planes.iter().map(plane).collect::<Option<_>>()?,
+            lights: lights.collect::<Option<_>>()?,
+            materials: scene.coats.iter().map(coats).collect::<Option<_>>()?,
+            background: scene.background,
+        })
+    }
+
+    /// Shades row `y`, counted from the top.
+    pub fn shade_row(&self, y: usize, row: &mut [Linear]) {
+        for (index, pixels) in row.chunks_mut(WIDTH).enumerate() {
+            self.shade(index * WIDTH, y, pixels);
+        }
+    }
+
+    /// Up to eight pixels, from column `x` on.
+    fn shade(&self, x: usize, y: usize, pixels: &mut [Linear]) {
+        pixels.fill(self.background);
+        if self.planes.is_empty() && !self.spheres.iter().any(|sphere| near(sphere, x, y)) {
+            return;
+        }
+        let d = Wide::ray(&self.camera, x, y);
+        let Seen {
+            normals,
+            mut materials,
+            ..
+        } = self.first_hit(&d, x, y);
+        let v = Wide::reverse(&d);
+        // As a rule they are all of one material.
+        for i in 0..pixels.len() {
+            let material = materials[i];
+            if material == NOTHING {
+                continue;
+            }
+            let lit = self
+                .light(material, &normals, &v)
+                .map_or_else(Default::default, |light| clamped(&light));
+            let rest = pixels.iter_mut().zip(&mut materials).zip(lit).skip(i);
+            for ((shown, other), lit) in rest {
+                if *other == material {
+                    *shown = lit;
+                    *other = NOTHING;
+                }
+            }
+        }
+    }
+
+    /// Depth, normal and material of what the rays meet first, in the core's
+    /// order.
+    fn first_hit(&self, d: &Direction<Wide>, x: usize, y: usize) -> Seen {
+        let mut seen = Seen {
+            depths: Lanes::default(),
+            normals: Direction::new(Lanes::default(), Lanes::default(), Lanes::default()),
+            materials: [NOTHING; WIDTH],
+        };
+        for sphere in self.spheres.iter().filter(|sphere| near(sphere, x, y)) {
+            if let Some(hit) = sphere.hit(d) {
+                let [first, end] = sphere.extent.columns.map(i32::from);
+                let x = x as i32;
+                seen.meet(&hit, |i| (first <= x + i as i32) & (x + (i as i32) < end));
+            }
+        }
+        for plane in &self.planes {
+            if let Some(hit) = plane.hit(d) {
+                seen.meet(&hit, |_| true);
+            }
+        }
+        seen
+    }
+
+    /// The light of a material with these normals; `None` beyond the last.
+    fn light(&self, material: u32, n: &Direction<Wide>, v: &Direction<Wide>) -> Option<Rgb<Lanes>> {
+        let n_dot_v = Wide::dot(n, v);
+        let coats = self.materials.get(material as usize)?;
+        let lights = coats.iter().map(|coat| {
+            let sky = coat.daylight.as_ref();
+            let mut sum = sky.map_or_else(Rgb::default, |sky| sky.light(n_dot_v));
+            for (l, gain) in self.lights.iter().zip(&coat.gains) {
+                let geometry = Lit::new(*n, *l, *v, n_dot_v);
+                sum = sum.zip(coat.model.shade(gain, &geometry), Wide::add_light);
+            }
+            sum
+        });
+        lights.reduce(|sum, light| sum.zip(light, Wide::add_light))
+    }
+}
+
+impl Seen {
+    /// Takes a shape where it is the nearest so far, and `may` be seen.
+    #[inline(always)]
+    fn meet(
+        &mut self,
+        (depths, normals, material): &(Lanes, Direction<Wide>, u8),
+        may: impl Fn(usize) -> bool,
+    ) {
+        // All bits of a pixel that is taken, none of one that is not.
+        let mut taken = [0; WIDTH];
+        for (i, taken) in taken.iter_mut().enumerate() {
+            let depth = depths.0[i];
+            let first = self.materials[i] == NOTHING;
+            let nearer = (first & !depth.is_nan()) | (depth < self.depths.0[i]);
+            *taken = u32::from(nearer & may(i)).wrapping_neg();
+        }
+        self.depths = choose(&taken, &self.depths, depths);
+        self.normals.x = choose(&taken, &self.normals.x, &normals.x);
+        self.normals.y = choose(&taken, &self.normals.y, &normals.y);
+        self.normals.z = choose(&taken, &self.normals.z, &normals.z);
+        for (known, taken) in self.materials.iter_mut().zip(taken) {
+            *known = (*known & !taken) | (u32::from(*material) & taken);
+        }
+    }
+}
+
+/// `new` where all bits are set, else `old`.
+#[inline(always)]
+fn choose(taken: &[u32; WIDTH], old: &Lanes, new: &Lanes) -> Lanes {
+    Lanes::of(|i| {
+        let (old, new) = (old.0[i].to_bits(), new.0[i].to_bits());
+        f32::from_bits((old & !taken[i]) | (new & taken[i]))
+    })
+}
+
+/// Whether one of the pixels from column `x` of row `y` on may see a sphere.
+fn near(sphere: &Sphere<Wide>, x: usize, y: usize) -> bool {
+    let [first, end] = sphere.extent.columns.map(usize::from);
+    let [above, below] = sphere.extent.rows.map(usize::from);
+    (first < x + WIDTH) & (x < end) & (above <= y) & (y < below)
+}
+
+fn sphere(sphere: &Sphere<One>) -> Sphere<Wide> {
+    Sphere {
+        eye: sphere.eye.map(Lanes::all),
+        radius: Lanes::all(sphere.radius),
+        material: sphere.material,
+        extent: sphere.extent,
+    }
+}
+
+fn plane(ground: &Checker<One>) -> Option<Plane<Wide>> {
+    let plane = &ground.plane;
+    (ground.odd == plane.material).then_some(Plane {
+        normal: all(plane.normal),
+        height: Lanes::all(plane.height),
+        material: plane.material,
+    })
+}
+
+fn coats(coat: &PreparedCoat<One>) -> Option<Vec<Coat>> {
+    let rgb = |gain: [f64; 3]| Rgb::from_array(gain.map(One::gain));
+    let mut sky = coat.daylight.map(|(albedo, gain)| AlbedoDaylight {
+        albedo,
+        gain: rgb(gain),
+    });
+    let coats = coat.parts.iter().map(|part| {
+        Some(Coat {
+            model: part.material.part().ok()?,
+            gains: part.gains.iter().copied().map(rgb).collect(),
+            // The sky answers to the whole: it is added once.
+            daylight: sky.take(),
+        })
+    });
+    coats.collect()
+}
