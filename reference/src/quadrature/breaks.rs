@@ -1,6 +1,6 @@
 //! The azimuths on a circle of a chart where the horizon or a crease is crossed.
 
-use super::chart::Circle;
+use super::chart::{Circle, Point};
 use super::find_root;
 use crate::Direction;
 use std::cell::RefCell;
@@ -14,7 +14,8 @@ use std::cell::RefCell;
 /// cell is not lost.
 pub(super) struct Breaks<'a> {
     range: (f64, f64),
-    grid: usize,
+    /// Azimuths of the grid, with their sines and cosines.
+    grid: Vec<(f64, (f64, f64))>,
     creases: &'a dyn Fn(&Direction, &mut Vec<f64>),
     /// The switches at each point of the grid, and at one azimuth: kept, since circles are
     /// many and memory is asked for slowly.
@@ -29,18 +30,19 @@ impl<'a> Breaks<'a> {
         grid: usize,
         creases: &'a dyn Fn(&Direction, &mut Vec<f64>),
     ) -> Self {
+        let step = (range.1 - range.0) / grid as f64;
+        let azimuths = (0..grid + 3).map(|i| range.0 + step * (i as f64 - 1.0));
         Self {
             range,
-            grid,
+            grid: azimuths.map(|phi| (phi, phi.sin_cos())).collect(),
             creases,
             all: RefCell::new(vec![Vec::new(); grid + 3]),
             one: RefCell::default(),
         }
     }
 
-    /// The switches at an azimuth. Below the horizon the creases don't matter.
-    fn switches(&self, circle: &Circle<'_>, phi: f64, out: &mut Vec<f64>) {
-        let point = circle.at(phi);
+    /// The switches at a point. Below the horizon the creases don't matter.
+    fn switches(&self, point: &Point, out: &mut Vec<f64>) {
         out.clear();
         out.push(point.above);
         if point.above > 0.0 {
@@ -54,7 +56,7 @@ impl<'a> Breaks<'a> {
             return Some(circle.at(phi).above);
         }
         let mut one = self.one.borrow_mut();
-        self.switches(circle, phi, &mut one);
+        self.switches(&circle.at(phi), &mut one);
         one.get(k).copied()
     }
 
@@ -65,12 +67,12 @@ impl<'a> Breaks<'a> {
 
     /// The azimuths on a circle, ascending, with both ends of the range.
     pub fn of(&self, circle: &Circle<'_>) -> Vec<f64> {
-        let (range, grid) = (self.range, self.grid);
-        let step = (range.1 - range.0) / grid as f64;
-        let azimuth = |i: usize| range.0 + step * (i as f64 - 1.0);
+        let range = self.range;
+        let azimuth = |i: usize| self.grid[i].0;
+        let cells = self.grid.len() - 3;
         let mut all = self.all.borrow_mut();
-        for (i, values) in all.iter_mut().enumerate() {
-            self.switches(circle, azimuth(i), values);
+        for (values, (_, angle)) in all.iter_mut().zip(&self.grid) {
+            self.switches(&circle.toward(*angle), values);
         }
         let mut found = vec![range.0, range.1];
         let mut root = |k: usize, a: f64, b: f64| {
@@ -79,7 +81,7 @@ impl<'a> Breaks<'a> {
                 found.push(phi);
             }
         };
-        for i in 1..=grid {
+        for i in 1..=cells {
             let (a, b) = (azimuth(i), azimuth(i + 1));
             let (before, now) = (&all[i], &all[i + 1]);
             for k in 0..before.len().min(now.len()) {
@@ -97,8 +99,8 @@ impl<'a> Breaks<'a> {
                     (edge + inset, b)
                 };
                 let (mut at_low, mut at_high) = (Vec::new(), Vec::new());
-                self.switches(circle, low, &mut at_low);
-                self.switches(circle, high, &mut at_high);
+                self.switches(&circle.at(low), &mut at_low);
+                self.switches(&circle.at(high), &mut at_high);
                 for k in 1..at_low.len().min(at_high.len()) {
                     if (at_low[k] < 0.0) != (at_high[k] < 0.0) {
                         root(k, low, high);
@@ -106,12 +108,13 @@ impl<'a> Breaks<'a> {
                 }
             }
         }
-        for i in 1..=grid + 1 {
+        for i in 1..=cells + 1 {
             let (before, now, after) = (&all[i - 1], &all[i], &all[i + 1]);
             for k in 0..before.len().min(now.len()).min(after.len()) {
                 let (a, b, c) = (before[k], now[k], after[k]);
                 let one_sign = (a < 0.0) == (b < 0.0) && (b < 0.0) == (c < 0.0);
-                if !one_sign || b.abs() > a.abs() || b.abs() > c.abs() {
+                let is_least = b.abs() <= a.abs() && b.abs() <= c.abs();
+                if !one_sign || !is_least || keeps_its_sign(a, b, c) {
                     continue;
                 }
                 let (low, high) = (azimuth(i - 1), azimuth(i + 1));
@@ -129,22 +132,82 @@ impl<'a> Breaks<'a> {
 /// An azimuth at which `f` has the other sign than at both ends, by golden-section search
 /// for the least size; nothing if there is none.
 fn crossing(f: &dyn Fn(f64) -> Option<f64>, mut low: f64, mut high: f64) -> Option<f64> {
-    let negative = f(low)? < 0.0;
+    let (mut at_low, mut at_high) = (f(low)?, f(high)?);
+    let negative = at_low < 0.0;
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    let inner = |low: f64, high: f64| (high - ratio * (high - low), low + ratio * (high - low));
+    let (mut a, mut b) = inner(low, high);
+    let (mut at_a, mut at_b) = (f(a)?, f(b)?);
     for _ in 0..40 {
-        let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
-        let (fa, fb) = (f(a)?, f(b)?);
-        if (fa < 0.0) != negative {
+        if (at_a < 0.0) != negative {
             return Some(a);
         }
-        if (fb < 0.0) != negative {
+        if (at_b < 0.0) != negative {
             return Some(b);
         }
-        if fa.abs() < fb.abs() {
-            high = b;
+        if at_a.abs() < at_b.abs() {
+            if keeps_its_sign(at_low, at_a, at_b) {
+                return None;
+            }
+            (high, at_high) = (b, at_b);
+            (b, at_b) = (a, at_a);
+            a = inner(low, high).0;
+            at_a = f(a)?;
         } else {
-            low = a;
+            if keeps_its_sign(at_a, at_b, at_high) {
+                return None;
+            }
+            (low, at_low) = (a, at_a);
+            (a, at_a) = (b, at_b);
+            b = inner(low, high).1;
+            at_b = f(b)?;
         }
     }
     None
+}
+
+/// Whether a value of the same sign as its neighbours, and smaller than they are, is too far
+/// from 0 for a root between them: farther than they are from it. A parabola through the
+/// three comes at most a quarter of that nearer to 0, a kink at most 0.81, where the
+/// neighbours' distances are in the golden ratio (an eighth and a half where they are equal).
+fn keeps_its_sign(before: f64, least: f64, after: f64) -> bool {
+    2.0 * least.abs() > before.abs().max(after.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sliver_is_crossed_and_few_looks_tell_that_there_is_none() {
+        use std::cell::Cell;
+        let looks = Cell::new(0);
+        let find = |f: &dyn Fn(f64) -> f64| {
+            looks.set(0);
+            crossing(
+                &|x| {
+                    looks.set(looks.get() + 1);
+                    Some(f(x))
+                },
+                -0.6,
+                0.4,
+            )
+        };
+        for least in [1e-3, 1e-6, 1e-9] {
+            let crossed: [&dyn Fn(f64) -> f64; 4] = [
+                &|x| x * x - least,
+                &|x| x.abs() - least,
+                &|x| least - x.abs(),
+                &|x| 1.0 - least - x.cos(),
+            ];
+            for f in crossed {
+                let x = find(f).expect("a crossing");
+                assert!((f(x) < 0.0) != (f(0.4) < 0.0), "{least}: {x}");
+            }
+            assert_eq!(find(&|x| x * x + least), None);
+            assert!(looks.get() < 50, "{least}: {} looks", looks.get());
+        }
+        assert_eq!(find(&|x| x * x + 0.1), None);
+        assert!(looks.get() <= 8, "{} looks", looks.get());
+    }
 }

@@ -215,7 +215,11 @@ pub(crate) struct Circle<'a> {
 impl Circle<'_> {
     /// The point at azimuth φ.
     pub fn at(&self, phi: f64) -> Point {
-        let (sin_phi, cos_phi) = phi.sin_cos();
+        self.toward(phi.sin_cos())
+    }
+
+    /// The point at the azimuth of this sine and cosine.
+    pub fn toward(&self, (sin_phi, cos_phi): (f64, f64)) -> Point {
         let placed = self.placed;
         let (s, c) = (placed.sin_l, placed.l.z);
         let (sine, versine, cosine) = (self.sine, self.versine, self.cosine);
