@@ -1,7 +1,7 @@
 //! The azimuths on a circle of a chart where the horizon or a crease is crossed.
 
 use super::chart::{Circle, Point};
-use super::find_root;
+use super::interval::root_between;
 use crate::Direction;
 use std::cell::RefCell;
 
@@ -60,38 +60,74 @@ impl<'a> Breaks<'a> {
         one.get(k).copied()
     }
 
-    /// The azimuth between two others at which one changes its sign.
-    fn root(&self, circle: &Circle<'_>, k: usize, a: f64, b: f64) -> f64 {
-        find_root(&mut |phi| self.switch(circle, k, phi).unwrap_or(0.0), a, b)
+    /// The azimuth between two others at which one changes its sign, from its values there.
+    fn root(&self, circle: &Circle<'_>, cell: &Cell) -> f64 {
+        let Cell { switch, low, high } = *cell;
+        root_between(
+            &mut |phi| self.switch(circle, switch, phi).unwrap_or(0.0),
+            low,
+            high,
+        )
     }
 
     /// The azimuths on a circle, ascending, with both ends of the range.
     pub fn of(&self, circle: &Circle<'_>) -> Vec<f64> {
         let range = self.range;
+        let mut found = vec![range.0, range.1];
+        self.scan(circle, &mut |cell| {
+            let phi = self.root(circle, cell);
+            if phi > range.0 && phi < range.1 {
+                found.push(phi);
+            }
+        });
+        found.sort_by(f64::total_cmp);
+        found
+    }
+
+    /// How many they are; they need not be found for that.
+    pub fn count(&self, circle: &Circle<'_>) -> usize {
+        let range = self.range;
+        let mut count = 2;
+        self.scan(circle, &mut |cell| {
+            let inside = cell.low.0 >= range.0 && cell.high.0 <= range.1;
+            let phi = || self.root(circle, cell);
+            if inside || (range.0..range.1).contains(&phi()) {
+                count += 1;
+            }
+        });
+        count
+    }
+
+    /// Visits the cells in which a switch changes its sign.
+    fn scan(&self, circle: &Circle<'_>, visit: &mut dyn FnMut(&Cell)) {
         let azimuth = |i: usize| self.grid[i].0;
         let cells = self.grid.len() - 3;
         let mut all = self.all.borrow_mut();
         for (values, (_, angle)) in all.iter_mut().zip(&self.grid) {
             self.switches(&circle.toward(*angle), values);
         }
-        let mut found = vec![range.0, range.1];
-        let mut root = |k: usize, a: f64, b: f64| {
-            let phi = self.root(circle, k, a, b);
-            if phi > range.0 && phi < range.1 {
-                found.push(phi);
+        let mut between = |switch: usize, low: (f64, f64), high: (f64, f64)| {
+            if (low.1 < 0.0) != (high.1 < 0.0) {
+                visit(&Cell { switch, low, high });
             }
         };
         for i in 1..=cells {
             let (a, b) = (azimuth(i), azimuth(i + 1));
             let (before, now) = (&all[i], &all[i + 1]);
             for k in 0..before.len().min(now.len()) {
-                if (before[k] < 0.0) != (now[k] < 0.0) {
-                    root(k, a, b);
-                }
+                between(k, (a, before[k]), (b, now[k]));
             }
             if before.len() != now.len() {
                 // The horizon is crossed: look for creases above it only.
-                let edge = self.root(circle, 0, a, b);
+                let (low, high) = ((a, before[0]), (b, now[0]));
+                let edge = self.root(
+                    circle,
+                    &Cell {
+                        switch: 0,
+                        low,
+                        high,
+                    },
+                );
                 let inset = 1e-9 * (b - a);
                 let (low, high) = if before.len() > now.len() {
                     (a, edge - inset)
@@ -102,9 +138,7 @@ impl<'a> Breaks<'a> {
                 self.switches(&circle.at(low), &mut at_low);
                 self.switches(&circle.at(high), &mut at_high);
                 for k in 1..at_low.len().min(at_high.len()) {
-                    if (at_low[k] < 0.0) != (at_high[k] < 0.0) {
-                        root(k, low, high);
-                    }
+                    between(k, (low, at_low[k]), (high, at_high[k]));
                 }
             }
         }
@@ -117,22 +151,31 @@ impl<'a> Breaks<'a> {
                 if !one_sign || !is_least || keeps_its_sign(a, b, c) {
                     continue;
                 }
-                let (low, high) = (azimuth(i - 1), azimuth(i + 1));
-                if let Some(phi) = crossing(&|phi| self.switch(circle, k, phi), low, high) {
-                    root(k, low, phi);
-                    root(k, phi, high);
+                let (low, high) = ((azimuth(i - 1), a), (azimuth(i + 1), c));
+                let f = |phi| self.switch(circle, k, phi);
+                if let Some(middle) = crossing(&f, low, high) {
+                    between(k, low, middle);
+                    between(k, middle, high);
                 }
             }
         }
-        found.sort_by(f64::total_cmp);
-        found
     }
 }
 
-/// An azimuth at which `f` has the other sign than at both ends, by golden-section search
-/// for the least size; nothing if there is none.
-fn crossing(f: &dyn Fn(f64) -> Option<f64>, mut low: f64, mut high: f64) -> Option<f64> {
-    let (mut at_low, mut at_high) = (f(low)?, f(high)?);
+/// Two azimuths, each with the value of a switch there.
+struct Cell {
+    switch: usize,
+    low: (f64, f64),
+    high: (f64, f64),
+}
+
+/// An azimuth at which `f` has the other sign than at both ends, and its value there, by
+/// golden-section search for the least size; nothing if there is none.
+fn crossing(
+    f: &dyn Fn(f64) -> Option<f64>,
+    (mut low, mut at_low): (f64, f64),
+    (mut high, mut at_high): (f64, f64),
+) -> Option<(f64, f64)> {
     let negative = at_low < 0.0;
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
     let inner = |low: f64, high: f64| (high - ratio * (high - low), low + ratio * (high - low));
@@ -140,10 +183,10 @@ fn crossing(f: &dyn Fn(f64) -> Option<f64>, mut low: f64, mut high: f64) -> Opti
     let (mut at_a, mut at_b) = (f(a)?, f(b)?);
     for _ in 0..40 {
         if (at_a < 0.0) != negative {
-            return Some(a);
+            return Some((a, at_a));
         }
         if (at_b < 0.0) != negative {
-            return Some(b);
+            return Some((b, at_b));
         }
         if at_a.abs() < at_b.abs() {
             if keeps_its_sign(at_low, at_a, at_b) {
@@ -189,9 +232,10 @@ mod tests {
                     looks.set(looks.get() + 1);
                     Some(f(x))
                 },
-                -0.6,
-                0.4,
+                (-0.6, f(-0.6)),
+                (0.4, f(0.4)),
             )
+            .map(|(x, _)| x)
         };
         for least in [1e-3, 1e-6, 1e-9] {
             let crossed: [&dyn Fn(f64) -> f64; 4] = [

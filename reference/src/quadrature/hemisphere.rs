@@ -2,8 +2,8 @@
 
 use super::breaks::Breaks;
 use super::chart::Placed;
-use super::interval::adaptive_all;
-use super::{Chart, Estimate, Estimates, adaptive, find_root};
+use super::interval::{adaptive_all, root_between};
+use super::{Chart, Estimate, Estimates, adaptive};
 use crate::Direction;
 use std::f64::consts::PI;
 
@@ -100,7 +100,7 @@ pub fn hemisphere_all<const N: usize>(
     // Radii where the number of breaks changes bend the outer integrand: make them ends too.
     let signature = |q: f64| -> (usize, bool) {
         let circle = placed.circle(q);
-        (breaks.of(&circle).len(), circle.at(0.0).above < 0.0)
+        (breaks.count(&circle), circle.at(0.0).above < 0.0)
     };
     let mut radial = vec![0.0];
     const CELLS: u32 = 32;
@@ -112,10 +112,10 @@ pub fn hemisphere_all<const N: usize>(
         let high = (f64::from(i) / f64::from(CELLS)).min(last);
         let now = signature(high);
         if now != before {
-            radial.push(find_root(
+            radial.push(root_between(
                 &mut |q| if signature(q) == before { -1.0 } else { 1.0 },
-                low,
-                high,
+                (low, -1.0),
+                (high, 1.0),
             ));
         }
         before = now;

@@ -183,8 +183,17 @@ fn rule<const N: usize>(
 /// Chandrupatla's method: inverse quadratic steps where they are safe, else bisection, so
 /// that a jump is found as well as a root, to two units of rounding.
 pub fn find_root(f: &mut dyn FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
-    let (mut a, mut b) = (high, low);
-    let (mut fa, mut fb) = (f(a), f(b));
+    let (at_high, at_low) = (f(high), f(low));
+    root_between(f, (low, at_low), (high, at_high))
+}
+
+/// [`find_root`] where the values at both ends are known.
+pub(super) fn root_between(
+    f: &mut dyn FnMut(f64) -> f64,
+    low: (f64, f64),
+    high: (f64, f64),
+) -> f64 {
+    let ((mut a, mut fa), (mut b, mut fb)) = (high, low);
     let (mut c, mut fc);
     let mut t = 0.5;
     for _ in 0..200 {
