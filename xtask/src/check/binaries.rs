@@ -13,7 +13,14 @@ use crate::failure::{Failure, Outcome};
 /// Programs that limit or spend time by the clock: nothing runs beside them.
 const TIMED: [&str; 4] = ["hostile", "fuzz", "fuzz_scene", "fuzz_obj"];
 /// Programs that take longest.
-const LONG: [&str; 0] = [];
+const LONG: [&str; 6] = [
+    "energy",
+    "flicker",
+    "microbrdf_reference",
+    "published",
+    "sampling",
+    "tables",
+];
 
 /// A test program, and where cargo would start it.
 #[derive(Debug, PartialEq, Eq)]
