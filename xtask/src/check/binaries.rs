@@ -47,7 +47,7 @@ pub fn run(bench: &Bench<'_>) -> Outcome<Tally> {
             let target = program.name.rsplit(' ').next().unwrap_or_default();
             Terms {
                 alone: TIMED.contains(&target),
-                long: LONG.contains(&target),
+                early: LONG.contains(&target),
                 files: None,
             }
         })

@@ -54,9 +54,9 @@ impl Step {
         self
     }
 
-    /// It begins early.
-    fn long(mut self) -> Self {
-        self.terms.long = true;
+    /// It begins before the others.
+    fn early(mut self) -> Self {
+        self.terms.early = true;
         self
     }
 

@@ -27,12 +27,14 @@ pub fn style() -> Vec<Step> {
         step("lock file", |bench| {
             let mut cargo = cargo(bench, &["metadata", "--locked", "--format-version", "1"]);
             bench.finish("lock-file", &mut cargo).map(|_| Tally::PASSED)
-        }),
+        })
+        .early(),
         step("format", |bench| {
             bench
                 .finish("format", &mut cargo(bench, &["fmt", "--all", "--check"]))
                 .map(|_| Tally::PASSED)
-        }),
+        })
+        .early(),
         step("lints, host", |bench| {
             let mut cargo = cargo(
                 bench,

@@ -1,4 +1,4 @@
-//! Which step runs when: as many at a time as there are workers, the long ones first, and those that measure time with nothing beside them.
+//! Which step runs when: as many at a time as there are workers, the long ones early, and those that measure time with nothing beside them.
 
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
@@ -8,8 +8,8 @@ use std::thread;
 pub struct Terms {
     /// Nothing runs beside it: it measures or limits time, or takes every core itself.
     pub alone: bool,
-    /// It takes long, so it begins early.
-    pub long: bool,
+    /// It begins before the others: it takes long, or tells in a moment what is wrong.
+    pub early: bool,
     /// Files that it writes: no other job with the same name here runs beside it.
     pub files: Option<&'static str>,
 }
@@ -23,7 +23,7 @@ struct State {
 /// Does every job, and returns what came of each, in their order. Those that run alone come last.
 pub fn run<R: Send>(jobs: &[Terms], workers: usize, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
     let mut waiting: Vec<usize> = (0..jobs.len()).filter(|job| !jobs[*job].alone).collect();
-    waiting.sort_by_key(|job| !jobs[*job].long);
+    waiting.sort_by_key(|job| !jobs[*job].early);
     let count = workers.min(waiting.len());
     let state = Mutex::new(State {
         waiting,
@@ -84,7 +84,7 @@ mod tests {
 
     const PLAIN: Terms = Terms {
         alone: false,
-        long: false,
+        early: false,
         files: None,
     };
 
@@ -107,7 +107,7 @@ mod tests {
     fn results_come_in_the_order_of_the_jobs() {
         let mut jobs = [PLAIN; 9];
         jobs[2].alone = true;
-        jobs[7].long = true;
+        jobs[7].early = true;
         for workers in [1, 2, 5, 20] {
             let results = run(&jobs, workers, |job| {
                 thread::sleep(Duration::from_millis(9 - job as u64));
@@ -116,6 +116,17 @@ mod tests {
             assert_eq!(results, [0, 1, 2, 3, 4, 5, 6, 7, 8], "{workers}");
         }
         assert!(run(&[], 2, |job| job).is_empty());
+    }
+
+    #[test]
+    fn one_that_fails_does_not_stop_the_others() {
+        let mut jobs = [PLAIN; 6];
+        jobs[5].alone = true;
+        let odd = |job: usize| if job % 2 == 0 { Err(job) } else { Ok(job) };
+        for workers in [1, 3] {
+            let results = run(&jobs, workers, odd);
+            assert_eq!(results, [Err(0), Ok(1), Err(2), Ok(3), Err(4), Ok(5)]);
+        }
     }
 
     #[test]
@@ -162,9 +173,9 @@ mod tests {
     }
 
     #[test]
-    fn long_ones_begin_first() {
+    fn early_ones_begin_first() {
         let mut jobs = [PLAIN; 4];
-        jobs[3].long = true;
+        jobs[3].early = true;
         let begun = Mutex::new(Vec::new());
         run(&jobs, 1, |job| begun.lock().unwrap().push(job));
         assert_eq!(begun.into_inner().unwrap(), [3, 0, 1, 2]);

@@ -18,8 +18,8 @@ pub fn steps() -> Vec<Step> {
                 ..Tally::default()
             })
         })
-        .long(),
-        step("trade and budgets", check).long().writes(KERNELS),
+        .early(),
+        step("trade and budgets", check).early().writes(KERNELS),
         step("cycles on Cortex-M0+, second source", |bench| {
             measure::compare_cycles(bench.layout, bench.cross)?;
             Ok(Tally::PASSED)

@@ -72,7 +72,7 @@ const MODELS: [(&str, &str); 14] = [
 /// Every step.
 pub fn steps() -> Vec<Step> {
     vec![
-        step("nothing unused", nothing_unused).long(),
+        step("nothing unused", nothing_unused).early(),
         step("smallest scene", smallest),
         step("scene too large", too_large_scene),
     ]
