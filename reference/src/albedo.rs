@@ -1,7 +1,7 @@
 //! Directional and mean albedo by deterministic quadrature.
 
 use crate::brdf::Channel;
-use crate::quadrature::{Accuracy, Estimate, adaptive, hemisphere};
+use crate::quadrature::{Accuracy, Estimate, adaptive, hemisphere, hemisphere_all};
 use crate::{Brdf, Direction};
 
 /// The albedo a(L) (3.2) at the given cosine of the angle of incidence, 0 … 1,
@@ -23,10 +23,33 @@ pub fn directional_albedo_at<B: Brdf + ?Sized>(brdf: &B, degrees: f64) -> Estima
 
 /// The albedo for each channel.
 pub fn directional_albedo_rgb<B: Brdf + ?Sized>(brdf: &B, cos_theta: f64) -> [Estimate; 3] {
+    let l = Direction::from_cosine(cos_theta, 0.0);
+    directional_albedo_rgb_for(brdf, &l, Accuracy::FINE)
+}
+
+/// The albedo for each channel, for any direction L, to any accuracy: one integral over
+/// panels that suit all of them.
+pub fn directional_albedo_rgb_for<B: Brdf + ?Sized>(
+    brdf: &B,
+    l: &Direction,
+    accuracy: Accuracy,
+) -> [Estimate; 3] {
     if !brdf.is_coloured() {
-        return [directional_albedo(brdf, cos_theta); 3];
+        return [directional_albedo_for(brdf, l, accuracy); 3];
     }
-    [0, 1, 2].map(|i| directional_albedo(&Channel(brdf, i), cos_theta))
+    let rest = hemisphere_all(
+        l,
+        &brdf.chart(l),
+        brdf.is_isotropic(),
+        accuracy,
+        &|v, out| brdf.creases(l, v, out),
+        &|v| brdf.eval_rgb(l, v),
+    );
+    let delta = brdf.delta_weight(l);
+    [0, 1, 2].map(|i| {
+        let (value, error) = (rest.values[i], rest.error);
+        Estimate { value, error } + Estimate::exact(delta[i])
+    })
 }
 
 /// The albedo for any direction L, to any accuracy.

@@ -2,9 +2,8 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use microbrdf_reference::brdf::Channel;
 use microbrdf_reference::quadrature::Accuracy;
-use microbrdf_reference::{Brdf, Direction, albedo::directional_albedo_for};
+use microbrdf_reference::{Brdf, Direction, albedo::directional_albedo_rgb_for};
 use rayon::prelude::*;
 
 use crate::material::Material;
@@ -21,11 +20,7 @@ pub fn directional_albedo(model: &(dyn Brdf + Send + Sync), cosine: f64) -> [f64
         tolerance: 1e-6,
         ..Accuracy::FINE
     };
-    if model.is_coloured() {
-        [0, 1, 2].map(|i| directional_albedo_for(&Channel(model, i), &l, accuracy).value)
-    } else {
-        [directional_albedo_for(model, &l, accuracy).value; 3]
-    }
+    directional_albedo_rgb_for(model, &l, accuracy).map(|albedo| albedo.value)
 }
 
 /// The directional albedo of a model over the cosine, for use at every pixel.
@@ -39,17 +34,42 @@ pub struct AlbedoTable {
 }
 
 impl AlbedoTable {
-    /// The table of a material; the same one if asked again.
+    /// The table of a material; the same one if asked again. That of a sum is summed
+    /// from its parts', which materials that differ in colour alone have in common.
     #[must_use]
     pub fn of(material: &Material) -> Arc<Self> {
         static KNOWN: Mutex<Vec<(Material, Arc<AlbedoTable>)>> = Mutex::new(Vec::new());
-        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, table)) = known.iter().find(|(other, _)| other == material) {
-            return Arc::clone(table);
+        let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let find = |known: &[(Material, Arc<Self>)]| {
+            let found = known.iter().find(|(other, _)| other == material);
+            found.map(|(_, table)| Arc::clone(table))
+        };
+        if let Some(table) = find(&known()) {
+            return table;
         }
-        let table = Arc::new(Self::new(&*material.reference()));
-        known.push((material.clone(), Arc::clone(&table)));
-        table
+        // Not locked meanwhile: the parts are asked for here too.
+        let parts = material.parts();
+        let table = match &parts[..] {
+            [(part, _)] if part == material => Self::new(&*material.reference()),
+            parts => Self::sum(parts),
+        };
+        let mut known = known();
+        find(&known).unwrap_or_else(|| {
+            let table = Arc::new(table);
+            known.push((material.clone(), Arc::clone(&table)));
+            table
+        })
+    }
+
+    /// The table of a sum, each part's multiplied by its tint.
+    fn sum(parts: &[(Material, [f64; 3])]) -> Self {
+        let mut nodes = vec![[0.0; 3]; NODES];
+        for (part, tint) in parts {
+            for (sum, albedo) in nodes.iter_mut().zip(&Self::of(part).nodes) {
+                *sum = [0, 1, 2].map(|i| sum[i] + tint[i] * albedo[i]);
+            }
+        }
+        Self { nodes }
     }
 
     /// Tabulates a model.
@@ -103,9 +123,19 @@ mod tests {
             ("model = \"metallic-phong\"\nexponent = 1e4", 1e-5),
             ("model = \"metal\"\nmetal = \"gold\"\nexponent = 60", 1e-6),
             ("model = \"patch-exponential\"\nsharpness = 5", 1e-5),
+            // Sums of parts.
+            ("model = \"lambert\"\nalbedo = [0.6, 0.3, 0.1]", 1e-6),
+            (
+                "model = \"plastic\"\nalbedo = [0.6, 0.3, 0.1]\nspecular = [0.1, 0.2, 0.3]\nexponent = 30",
+                1e-6,
+            ),
+            (
+                "model = \"plastic\"\nalbedo = [0.6, 0.3, 0.1]\nspecular = 0.3\nexponent = 30\nindex = 1.5",
+                1e-6,
+            ),
         ] {
-            let model = Material::from_toml("test", material).unwrap().reference();
-            let table = AlbedoTable::new(&*model);
+            let made = Material::from_toml("test", material).unwrap();
+            let (model, table) = (made.reference(), AlbedoTable::of(&made));
             for i in 0..40 {
                 let cosine = (f64::from(i) / 39.0).powi(3);
                 let (read, exact) = (table.at(cosine), directional_albedo(&*model, cosine));

@@ -1,10 +1,11 @@
 //! The command line.
 
 use std::path::PathBuf;
+use std::thread;
 
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
-use clap::{Arg, ArgAction, ArgMatches, Command};
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 
 use crate::board::{ARITHMETICS, BOARDS, Board};
 use crate::failure::{Failure, Outcome};
@@ -166,7 +167,26 @@ fn test() -> Command {
             .help("Only the steps with this text in their name (see --list)"),
     )
     .arg(flag("list", "Only print the names of the steps"))
+    .arg(
+        Arg::new("jobs")
+            .long("jobs")
+            .value_name("N")
+            .help("So many steps at a time [default: one for each core]")
+            .value_parser(value_parser!(u16).range(1..)),
+    )
+    .arg(
+        // What a step of many is started with.
+        Arg::new("step").long("step").hide(true),
+    )
     .arg(yes())
+}
+
+/// How many steps of the tests run at a time.
+pub fn jobs(matches: &ArgMatches) -> usize {
+    match matches.get_one::<u16>("jobs") {
+        Some(jobs) => usize::from(*jobs),
+        None => thread::available_parallelism().map_or(1, usize::from),
+    }
 }
 
 fn scene_options(command: Command) -> Command {

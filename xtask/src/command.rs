@@ -7,6 +7,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::failure::{During, Failure, Outcome};
+use crate::layout::Layout;
 
 /// Builds one of this project's programs, showing what cargo does unless that is not wanted.
 pub fn build(mut cargo: Command, quiet: bool, program: &str) -> Outcome<()> {
@@ -21,6 +22,25 @@ pub fn build(mut cargo: Command, quiet: bool, program: &str) -> Outcome<()> {
     Err(Failure::incomplete(format!(
         "{program} does not build (see above)"
     )))
+}
+
+/// `cargo build` of one of this project's programs, in release profile.
+pub fn release(layout: &Layout, package: &str, program: &str) -> Command {
+    let mut cargo = host_cargo(layout.root());
+    cargo
+        .args(["build", "--release", "--locked"])
+        .args(["--package", package, "--bin", program])
+        // Where `built` finds it.
+        .env("CARGO_TARGET_DIR", layout.target());
+    cargo
+}
+
+/// The program that `release` has built: started without cargo, which would wait for other builds.
+pub fn built(layout: &Layout, program: &str) -> Command {
+    let file = format!("{program}{}", env::consts::EXE_SUFFIX);
+    let mut command = Command::new(layout.target().join("release").join(file));
+    command.current_dir(layout.root()).stdin(Stdio::null());
+    command
 }
 
 /// What a program left behind.

@@ -1,14 +1,15 @@
 //! `cargo xtask firmware`: bakes a scene into constants and links it for a board.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
+use std::process::{self, Stdio};
 
 use crate::board::Board;
 use crate::failure::{During, Failure, Outcome};
 use crate::host_sim::HostSim;
 use crate::layout::Layout;
+use crate::lock;
 use crate::sizes::{self, Sizes};
 use crate::toolchain::Cross;
 
@@ -73,12 +74,14 @@ impl Order {
 }
 
 /// A linked image.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Image {
     /// The ELF file.
     pub elf: PathBuf,
     /// What it takes.
     pub sizes: Sizes,
+    /// So that no other step makes or runs the same image meanwhile.
+    _held: File,
 }
 
 /// Refuses a scene that is not there, before anything is built or installed.
@@ -108,7 +111,8 @@ pub fn bake(
     let baked = baked(layout, scene, arithmetic);
     let folder = layout.target().join("firmware");
     fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
-    let fresh = baked.with_extension("rs.new");
+    // Others may bake the same at the same time.
+    let fresh = baked.with_extension(format!("rs.{}", process::id()));
     host.run([
         "bake".as_ref(),
         scene.as_os_str(),
@@ -136,8 +140,11 @@ pub fn build(
 ) -> Outcome<Image> {
     let baked = bake(layout, host, &order.scene, &order.arithmetic)?;
     let elf = order.elf(layout);
+    let held = lock::hold(&elf.with_extension("lock"))?;
     // One of an earlier scene must not be taken for this one's.
     let _ = fs::remove_file(&elf);
+    // Until the image is copied, nobody may build another scene's.
+    let building = lock::hold(&layout.cross_lock())?;
     let mut cargo = cross
         .cargo(layout, "build", order.board.target)
         .args([
@@ -177,6 +184,7 @@ pub fn build(
         .join(order.profile())
         .join("microbrdf-firmware");
     fs::copy(&made, &elf).during(|| format!("copying {} to {}", made.display(), elf.display()))?;
+    drop(building);
     let sizes = sizes::of(&elf)?;
     let ram = sizes.ram + STACK;
     if ram > order.board.ram {
@@ -189,7 +197,11 @@ pub fn build(
             order.board.ram
         )));
     }
-    Ok(Image { elf, sizes })
+    Ok(Image {
+        elf,
+        sizes,
+        _held: held,
+    })
 }
 
 /// Bytes of stack that an image must leave; the demo's runs, whose report says what they used, take less.

@@ -1,4 +1,4 @@
-//! The host simulator, `microbrdf`, built and run through cargo.
+//! The host simulator, `microbrdf`, built through cargo.
 
 use std::ffi::{OsStr, OsString};
 use std::process::{Command, Stdio};
@@ -6,6 +6,9 @@ use std::process::{Command, Stdio};
 use crate::command;
 use crate::failure::{During, Failure, Outcome};
 use crate::layout::Layout;
+
+/// Its name.
+const PROGRAM: &str = "microbrdf";
 
 /// The command `microbrdf`, in release profile.
 #[derive(Debug)]
@@ -16,17 +19,15 @@ pub struct HostSim<'a> {
 impl<'a> HostSim<'a> {
     /// Builds it, showing what cargo does unless that is not wanted.
     pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
-        command::build(cargo(layout, "build"), quiet, "the host simulator")?;
+        let cargo = command::release(layout, "microbrdf-sim", PROGRAM);
+        command::build(cargo, quiet, "the host simulator")?;
         Ok(Self { layout })
     }
 
     /// `microbrdf ARGUMENTS…`, not yet started.
     pub fn command<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Command {
-        let mut command = cargo(self.layout, "run");
-        command
-            .args(["--quiet", "--"])
-            .args(arguments)
-            .stdin(Stdio::null());
+        let mut command = command::built(self.layout, PROGRAM);
+        command.args(arguments);
         command
     }
 
@@ -44,7 +45,7 @@ impl<'a> HostSim<'a> {
             .command(&arguments)
             .stderr(Stdio::inherit())
             .output()
-            .during(|| "starting cargo".to_string())?;
+            .during(|| "starting microbrdf".to_string())?;
         if output.status.success() {
             return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
         }
@@ -59,17 +60,4 @@ impl<'a> HostSim<'a> {
             ),
         })
     }
-}
-
-fn cargo(layout: &Layout, subcommand: &str) -> Command {
-    let mut command = command::host_cargo(layout.root());
-    command.args([
-        subcommand,
-        "--release",
-        "--package",
-        "microbrdf-sim",
-        "--bin",
-        "microbrdf",
-    ]);
-    command
 }

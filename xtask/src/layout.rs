@@ -53,6 +53,11 @@ impl Layout {
         self.target().join("cross")
     }
 
+    /// Held from the begin of a cross build until what it made is copied: builds of one package with different scenes write the same file.
+    pub fn cross_lock(&self) -> PathBuf {
+        self.cross_target().join("xtask.lock")
+    }
+
     /// Virtual environment with the receiver.
     pub fn venv(&self) -> PathBuf {
         self.target().join("venv")

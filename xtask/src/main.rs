@@ -11,6 +11,7 @@ mod forecast;
 mod gallery;
 mod host_sim;
 mod layout;
+mod lock;
 mod measure;
 mod picture;
 mod qemu;
@@ -27,7 +28,7 @@ use clap::ArgMatches;
 
 use board::Board;
 use command::Machine;
-use failure::Outcome;
+use failure::{Failure, Outcome};
 use firmware::Order;
 use layout::Layout;
 use setup::Purpose;
@@ -89,13 +90,16 @@ fn run(matches: &ArgMatches) -> Outcome<()> {
                 return Ok(());
             }
             let targets = measure::with_boards();
+            let text = |name: &str| options.get_one::<String>(name).map(String::as_str);
+            let jobs = cli::jobs(options);
+            if let Some(step) = text("step") {
+                let cross = toolchain::ready(&layout, &Machine, &targets, true)?
+                    .ok_or_else(|| Failure::lacking("no cross compiler"))?;
+                return check::one(&layout, &cross, step, jobs);
+            }
             let yes = options.get_flag("yes");
             let cross = setup::ensure(&layout, &Machine, Purpose::Test, &targets, yes)?;
-            check::run(
-                &layout,
-                &cross,
-                options.get_one::<String>("only").map(String::as_str),
-            )
+            check::run(&layout, &cross, text("only"), jobs)
         }
         _ => unreachable!("clap requires a subcommand"),
     }

@@ -172,27 +172,65 @@ impl<'a> Placed<'a> {
         Direction::new(along * cx - across * cy, along * cy + across * cx, z)
     }
 
-    /// The point at radial variable q and azimuth φ about the centre.
-    pub fn at(&self, q: f64, phi: f64) -> Point {
+    /// The circle of all points at radial variable q.
+    pub fn circle(&self, q: f64) -> Circle<'_> {
         let (t, dt) = self.radius(q);
-        let (sin_phi, cos_phi) = phi.sin_cos();
-        let (s, c) = (self.sin_l, self.l.z);
-        match self.chart.kind {
-            ChartKind::Cosine => {
-                let d = 1.0 + t * t;
-                let sine = 2.0 * t / d;
-                let cosine = (1.0 - t) * (1.0 + t) / d;
-                Point {
-                    v: self.in_frame(sine * cos_phi, sine * sin_phi, cosine),
-                    above: cosine,
-                    measure: cosine * sine * 2.0 / d * dt,
-                }
+        let d = 1.0 + t * t;
+        let (sine, versine, cosine) = match self.chart.kind {
+            ChartKind::Cosine | ChartKind::Mirror | ChartKind::Retro => {
+                (2.0 * t / d, 2.0 * t * t / d, (1.0 - t) * (1.0 + t) / d)
             }
+            ChartKind::Half => (t / d.sqrt(), 0.0, 1.0 / d.sqrt()),
+            ChartKind::Plane | ChartKind::RetroPlane => (t, 0.0, 0.0),
+        };
+        Circle {
+            placed: self,
+            d,
+            dt,
+            sine,
+            versine,
+            cosine,
+        }
+    }
+
+    /// The point at radial variable q and azimuth φ about the centre.
+    #[cfg(test)]
+    pub fn at(&self, q: f64, phi: f64) -> Point {
+        self.circle(q).at(phi)
+    }
+}
+
+/// A circle about a chart's centre: what its points have in common.
+pub(crate) struct Circle<'a> {
+    placed: &'a Placed<'a>,
+    /// 1 + t², and the derivative of t.
+    d: f64,
+    dt: f64,
+    /// Of the angle from the centre; on the plane the first is the radius itself.
+    sine: f64,
+    versine: f64,
+    cosine: f64,
+}
+
+impl Circle<'_> {
+    /// The point at azimuth φ.
+    pub fn at(&self, phi: f64) -> Point {
+        self.toward(phi.sin_cos())
+    }
+
+    /// The point at the azimuth of this sine and cosine.
+    pub fn toward(&self, (sin_phi, cos_phi): (f64, f64)) -> Point {
+        let placed = self.placed;
+        let (s, c) = (placed.sin_l, placed.l.z);
+        let (sine, versine, cosine) = (self.sine, self.versine, self.cosine);
+        match placed.chart.kind {
+            ChartKind::Cosine => Point {
+                v: placed.in_frame(sine * cos_phi, sine * sin_phi, cosine),
+                above: cosine,
+                measure: cosine * sine * 2.0 / self.d * self.dt,
+            },
             ChartKind::Mirror | ChartKind::Retro => {
-                let d = 1.0 + t * t;
-                let sine = 2.0 * t / d;
-                let versine = 2.0 * t * t / d;
-                let side = if self.chart.kind == ChartKind::Mirror {
+                let side = if placed.chart.kind == ChartKind::Mirror {
                     -1.0
                 } else {
                     1.0
@@ -202,38 +240,37 @@ impl<'a> Placed<'a> {
                 let along = side * (s * (1.0 - versine) - c * u);
                 let z = c * (1.0 - versine) + s * u;
                 Point {
-                    v: self.in_frame(along, w, z),
+                    v: placed.in_frame(along, w, z),
                     above: z,
-                    measure: z * sine * 2.0 / d * dt,
+                    measure: z * sine * 2.0 / self.d * self.dt,
                 }
             }
             ChartKind::Half => {
-                let root = (1.0 + t * t).sqrt();
-                let (sine, cosine) = (t / root, 1.0 / root);
                 let h = (sine * cos_phi, sine * sin_phi, cosine);
                 let lh = h.0 * s + h.2 * c;
                 // V = 2 (L·H) H − L, so V.z = c cos 2δ + s cosφ sin 2δ.
                 let z = c * (1.0 - 2.0 * sine * sine) + 2.0 * s * h.0 * cosine;
                 let above = if lh > 0.0 { z } else { -1.0 };
                 Point {
-                    v: self.in_frame(2.0 * lh * h.0 - s, 2.0 * lh * h.1, z),
+                    v: placed.in_frame(2.0 * lh * h.0 - s, 2.0 * lh * h.1, z),
                     above,
-                    measure: z * 4.0 * lh * sine / (1.0 + t * t) * dt,
+                    measure: z * 4.0 * lh * sine / self.d * self.dt,
                 }
             }
             ChartKind::Plane | ChartKind::RetroPlane => {
-                let side = if self.chart.kind == ChartKind::Plane {
+                let side = if placed.chart.kind == ChartKind::Plane {
                     -1.0
                 } else {
                     1.0
                 };
+                let t = sine;
                 let (u, w) = (t * cos_phi, t * sin_phi);
                 // φ = 0 points to the middle of the base circle.
                 let above = c * c - t * t + 2.0 * s * u;
                 Point {
-                    v: self.in_frame(side * (s - u), w, above.max(0.0).sqrt()),
+                    v: placed.in_frame(side * (s - u), w, above.max(0.0).sqrt()),
                     above,
-                    measure: t * dt,
+                    measure: t * self.dt,
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Adaptive Gauss–Kronrod quadrature (10 and 21 points) over an interval with breaks.
 
-use super::Estimate;
+use super::{Estimate, Estimates};
 
 /// Positive nodes of the 21-point Kronrod rule (QUADPACK's dqk21), greatest first.
 const NODES: [f64; 11] = [
@@ -39,16 +39,23 @@ const GAUSS: [f64; 5] = [
 ];
 
 #[derive(Clone, Copy)]
-struct Panel {
+struct Panel<const N: usize> {
     /// The break interval that this panel is a part of.
     base: (f64, f64),
     /// The part of it, in the smoothed variable w of 0 … 1.
     low: f64,
     high: f64,
-    value: f64,
+    values: [f64; N],
     /// Error of the rule, and error inherited from the integrand.
     rule: f64,
     inherited: f64,
+}
+
+impl<const N: usize> Panel<N> {
+    /// The greatest size of its values.
+    fn size(&self) -> f64 {
+        self.values.iter().fold(0.0, |most, v| v.abs().max(most))
+    }
 }
 
 /// The integral of `f` over the intervals between consecutive `breaks` (ascending).
@@ -63,7 +70,17 @@ pub fn adaptive(
     tolerance: f64,
     max_panels: usize,
 ) -> Estimate {
-    let mut panels: Vec<Panel> = breaks
+    adaptive_all::<1>(&mut |x| f(x).into(), breaks, tolerance, max_panels).into()
+}
+
+/// [`adaptive`] for several integrals over the same panels; the worst of them decides.
+pub(super) fn adaptive_all<const N: usize>(
+    f: &mut dyn FnMut(f64) -> Estimates<N>,
+    breaks: &[f64],
+    tolerance: f64,
+    max_panels: usize,
+) -> Estimates<N> {
+    let mut panels: Vec<Panel<N>> = breaks
         .windows(2)
         .filter(|w| w[1] > w[0])
         .map(|w| rule(f, (w[0], w[1]), 0.0, 1.0))
@@ -84,7 +101,7 @@ pub fn adaptive(
             break;
         };
         // Rounding: halving the panel would not make it better.
-        if worst.rule <= 2e-15 * worst.value.abs() + 2.0 * worst.inherited {
+        if worst.rule <= 2e-15 * worst.size() + 2.0 * worst.inherited {
             break;
         }
         let middle = 0.5 * (worst.low + worst.high);
@@ -92,14 +109,19 @@ pub fn adaptive(
         panels.push(rule(f, worst.base, middle, worst.high));
     }
     // Smallest first, for the least rounding.
-    panels.sort_by(|a, b| a.value.abs().total_cmp(&b.value.abs()));
-    panels.iter().fold(Estimate::default(), |sum, p| Estimate {
-        value: sum.value + p.value,
-        error: sum.error + p.rule + p.inherited + p.value.abs() * f64::EPSILON,
+    panels.sort_by(|a, b| a.size().total_cmp(&b.size()));
+    panels.iter().fold(Estimates::ZERO, |sum, p| Estimates {
+        values: std::array::from_fn(|k| sum.values[k] + p.values[k]),
+        error: sum.error + p.rule + p.inherited + p.size() * f64::EPSILON,
     })
 }
 
-fn rule(f: &mut dyn FnMut(f64) -> Estimate, base: (f64, f64), low: f64, high: f64) -> Panel {
+fn rule<const N: usize>(
+    f: &mut dyn FnMut(f64) -> Estimates<N>,
+    base: (f64, f64),
+    low: f64,
+    high: f64,
+) -> Panel<N> {
     let (a, length) = (base.0, base.1 - base.0);
     let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));
     let mut sample = |w: f64| {
@@ -107,8 +129,9 @@ fn rule(f: &mut dyn FnMut(f64) -> Estimate, base: (f64, f64), low: f64, high: f6
         let slope = length * 6.0 * w * (1.0 - w) * half;
         f(s).scaled(slope)
     };
-    let mut values = [0.0; 21];
-    let (mut kronrod, mut gauss, mut inherited, mut absolute) = (0.0, 0.0, 0.0, 0.0);
+    let mut samples = [[0.0; N]; 21];
+    let (mut kronrod, mut gauss, mut absolute) = ([0.0; N], [0.0; N], [0.0; N]);
+    let mut inherited = 0.0;
     for (i, (&node, &weight)) in NODES.iter().zip(&KRONROD).enumerate() {
         let sides = if node == 0.0 { 1 } else { 2 };
         for side in 0..sides {
@@ -118,41 +141,39 @@ fn rule(f: &mut dyn FnMut(f64) -> Estimate, base: (f64, f64), low: f64, high: f6
                 centre - half * node
             };
             let e = sample(w);
-            values[2 * i + side] = e.value;
-            kronrod += weight * e.value;
-            absolute += weight * e.value.abs();
+            samples[2 * i + side] = e.values;
             inherited += weight * e.error;
-            if i % 2 == 1 {
-                gauss += GAUSS[i / 2] * e.value;
+            for (k, value) in e.values.into_iter().enumerate() {
+                kronrod[k] += weight * value;
+                absolute[k] += weight * value.abs();
+                if i % 2 == 1 {
+                    gauss[k] += GAUSS[i / 2] * value;
+                }
             }
         }
     }
-    let mean = 0.5 * kronrod;
-    let spread: f64 = NODES
-        .iter()
-        .zip(&KRONROD)
-        .enumerate()
-        .map(|(i, (&node, &weight))| {
-            let right = (values[2 * i] - mean).abs();
-            let left = if node == 0.0 {
-                0.0
-            } else {
-                (values[2 * i + 1] - mean).abs()
-            };
-            weight * (left + right)
-        })
-        .sum();
-    // QUADPACK's reading of the difference of the two rules.
-    let mut error = (kronrod - gauss).abs();
-    if spread > 0.0 && error > 0.0 {
-        error = spread * (200.0 * error / spread).powf(1.5).min(1.0);
-    }
+    let error = |k: usize| {
+        let mean = 0.5 * kronrod[k];
+        let off = |sample: usize| (samples[sample][k] - mean).abs();
+        let spread: f64 = (NODES.iter().zip(&KRONROD).enumerate())
+            .map(|(i, (&node, &weight))| {
+                let left = if node == 0.0 { 0.0 } else { off(2 * i + 1) };
+                weight * (off(2 * i) + left)
+            })
+            .sum();
+        // QUADPACK's reading of the difference of the two rules.
+        let mut error = (kronrod[k] - gauss[k]).abs();
+        if spread > 0.0 && error > 0.0 {
+            error = spread * (200.0 * error / spread).powf(1.5).min(1.0);
+        }
+        error.max(absolute[k] * 1e-15)
+    };
     Panel {
         base,
         low,
         high,
-        value: kronrod,
-        rule: error.max(absolute * 1e-15),
+        values: kronrod,
+        rule: (0..N).map(error).fold(0.0, f64::max),
         inherited,
     }
 }
@@ -162,8 +183,17 @@ fn rule(f: &mut dyn FnMut(f64) -> Estimate, base: (f64, f64), low: f64, high: f6
 /// Chandrupatla's method: inverse quadratic steps where they are safe, else bisection, so
 /// that a jump is found as well as a root, to two units of rounding.
 pub fn find_root(f: &mut dyn FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
-    let (mut a, mut b) = (high, low);
-    let (mut fa, mut fb) = (f(a), f(b));
+    let (at_high, at_low) = (f(high), f(low));
+    root_between(f, (low, at_low), (high, at_high))
+}
+
+/// [`find_root`] where the values at both ends are known.
+pub(super) fn root_between(
+    f: &mut dyn FnMut(f64) -> f64,
+    low: (f64, f64),
+    high: (f64, f64),
+) -> f64 {
+    let ((mut a, mut fa), (mut b, mut fb)) = (high, low);
     let (mut c, mut fc);
     let mut t = 0.5;
     for _ in 0..200 {

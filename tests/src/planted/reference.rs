@@ -88,8 +88,8 @@ pub const REFERENCE_BUGS: &[Bug] = &[
     bug(
         "a patch's plane is measured without its radius",
         "reference/src/quadrature/chart.rs",
-        "measure: t * dt,",
-        "measure: dt,",
+        "measure: t * self.dt,",
+        "measure: self.dt,",
         &["lib"],
     )
     .of("reference"),

@@ -36,6 +36,16 @@ impl Tally {
         }
     }
 
+    /// From the line that it is shown as, and from no other.
+    pub fn of_line(line: &str) -> Option<Self> {
+        let tally = Self {
+            passed: before(line, "passed"),
+            failed: before(line, "failed"),
+            skipped: before(line, "skipped"),
+        };
+        (tally.to_string() == line).then_some(tally)
+    }
+
     /// In a word.
     pub fn verdict(self) -> &'static str {
         match self {
@@ -188,5 +198,11 @@ mod tests {
             .to_string(),
             "3 passed, 1 failed, 2 skipped"
         );
+        for line in ["3 passed, 0 failed", "3 passed, 1 failed, 2 skipped"] {
+            assert_eq!(Tally::of_line(line).unwrap().to_string(), line);
+        }
+        for line in ["", "3 passed", "3 passed, 0 fail", "so 3 passed, 0 failed"] {
+            assert_eq!(Tally::of_line(line), None, "{line}");
+        }
     }
 }

@@ -53,10 +53,11 @@ pub fn steps() -> Vec<Step> {
         |bench| demonstrate(bench, BOARDS[0], "q31", "teapot"),
     ));
     for name in gallery::names() {
-        steps.push(step(format!("gallery, {name}"), move |bench| {
+        let exhibit = step(format!("gallery, {name}"), move |bench| {
             gallery::check(bench.layout, bench.cross, name)?;
             Ok(Tally::PASSED)
-        }));
+        });
+        steps.push(exhibit.early());
     }
     for board in BOARDS {
         let name = format!("{}, {}", OPTIONS.join(" and "), board.name);
@@ -72,12 +73,11 @@ pub fn steps() -> Vec<Step> {
             }));
         }
     }
-    steps.push(step("line cut in mid-frame", |bench| {
-        broken_line(bench, End::HangsUp)
-    }));
-    steps.push(step("line silent in mid-frame", |bench| {
-        broken_line(bench, End::FallsSilent)
-    }));
+    // Silence of two seconds ends them: what comes must come in time.
+    for (name, end) in [("cut", End::HangsUp), ("silent", End::FallsSilent)] {
+        let name = format!("line {name} in mid-frame");
+        steps.push(step(name, move |bench| broken_line(bench, end)).alone());
+    }
     steps
 }
 

@@ -4,9 +4,9 @@ use std::process::Command;
 use std::time::SystemTime;
 
 use super::counts::{self, Tally};
-use super::{Bench, Step, step};
+use super::{Bench, Step, binaries, cargo, step};
 use crate::board::{ARITHMETICS, BOARDS, Board};
-use crate::command::{self, Machine};
+use crate::command::Machine;
 use crate::failure::{Failure, Outcome};
 use crate::firmware::{self, Order};
 use crate::host_sim::HostSim;
@@ -27,12 +27,14 @@ pub fn style() -> Vec<Step> {
         step("lock file", |bench| {
             let mut cargo = cargo(bench, &["metadata", "--locked", "--format-version", "1"]);
             bench.finish("lock-file", &mut cargo).map(|_| Tally::PASSED)
-        }),
+        })
+        .early(),
         step("format", |bench| {
             bench
                 .finish("format", &mut cargo(bench, &["fmt", "--all", "--check"]))
                 .map(|_| Tally::PASSED)
-        }),
+        })
+        .early(),
         step("lints, host", |bench| {
             let mut cargo = cargo(
                 bench,
@@ -95,8 +97,8 @@ fn fuzz(bench: &Bench<'_>, target: &str, seconds: u64, counted: &str) -> Outcome
         bench,
         &[
             "test",
-            "-p",
-            "microbrdf-tests",
+            // Features as for the other tests, so that nothing is built again.
+            "--workspace",
             "--locked",
             "--test",
             target,
@@ -122,25 +124,11 @@ pub fn tests() -> Vec<Step> {
     let fuzz_meshes = step("fuzz, OBJ files", |bench| {
         fuzz(bench, "fuzz_obj", FUZZ_FILES_SECONDS, " meshes")
     });
-    let host = step("host tests", |bench| {
-        let mut cargo = cargo(
-            bench,
-            &["test", "--workspace", "--locked", "--no-fail-fast"],
-        );
-        let output = bench.finish("host-tests", &mut cargo)?;
-        for line in output
-            .lines()
-            .filter(|line| line.starts_with("test result:"))
-        {
-            println!("{line}");
-        }
-        let tally = counts::read(&output);
-        if tally.passed == 0 {
-            return Err(Failure::incomplete("cargo test ran no test"));
-        }
-        Ok(tally)
-    });
-    vec![host, fuzz_models, fuzz_scenes, fuzz_meshes]
+    // They take every core themselves, and limit time.
+    let host = step("host tests", binaries::run);
+    [host, fuzz_models, fuzz_scenes, fuzz_meshes]
+        .map(Step::alone)
+        .into()
 }
 
 /// Documents, the package, licences: what a release needs.
@@ -174,10 +162,4 @@ pub fn release() -> Vec<Step> {
             bench.finish("licences", &mut deny).map(|_| Tally::PASSED)
         }),
     ]
-}
-
-fn cargo(bench: &Bench<'_>, arguments: &[&str]) -> Command {
-    let mut cargo = command::host_cargo(bench.layout.root());
-    cargo.args(arguments);
-    cargo
 }

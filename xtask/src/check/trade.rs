@@ -5,6 +5,9 @@ use super::{Bench, Step, step};
 use crate::failure::Outcome;
 use crate::measure::{self, Order};
 
+/// Calls and images of the kernels.
+const KERNELS: &str = "kernels";
+
 /// The bits of many results on every core; what every kernel costs.
 pub fn steps() -> Vec<Step> {
     vec![
@@ -14,12 +17,14 @@ pub fn steps() -> Vec<Step> {
                 passed,
                 ..Tally::default()
             })
-        }),
-        step("trade and budgets", check),
+        })
+        .early(),
+        step("trade and budgets", check).early().writes(KERNELS),
         step("cycles on Cortex-M0+, second source", |bench| {
             measure::compare_cycles(bench.layout, bench.cross)?;
             Ok(Tally::PASSED)
-        }),
+        })
+        .writes(KERNELS),
     ]
 }
 

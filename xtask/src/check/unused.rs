@@ -9,7 +9,7 @@ use super::{Bench, Step, step};
 use crate::board::Board;
 use crate::demo;
 use crate::failure::{During, Failure, Outcome};
-use crate::firmware::{self, BRIEF, Image, Order};
+use crate::firmware::{self, BRIEF, Order};
 use crate::host_sim::HostSim;
 use crate::report;
 use crate::sizes;
@@ -72,7 +72,7 @@ const MODELS: [(&str, &str); 14] = [
 /// Every step.
 pub fn steps() -> Vec<Step> {
     vec![
-        step("nothing unused", nothing_unused),
+        step("nothing unused", nothing_unused).early(),
         step("smallest scene", smallest),
         step("scene too large", too_large_scene),
     ]
@@ -117,13 +117,14 @@ fn build(bench: &Bench<'_>, host: &HostSim<'_>, name: &str, text: &str) -> Outco
         arithmetic: ARITHMETIC.to_string(),
         features: Vec::new(),
     };
-    let Image { elf, sizes } = firmware::build(bench.layout, bench.cross, host, &order, true)?;
-    let bytes = fs::read(&elf).during(|| format!("reading {}", elf.display()))?;
-    let symbols = sizes::symbols(&elf)?.into_iter().map(|(name, _)| name);
+    let image = firmware::build(bench.layout, bench.cross, host, &order, true)?;
+    let elf = &image.elf;
+    let bytes = fs::read(elf).during(|| format!("reading {}", elf.display()))?;
+    let symbols = sizes::symbols(elf)?.into_iter().map(|(name, _)| name);
     Ok(Built {
         bytes,
         symbols: symbols.collect(),
-        flash: sizes.flash,
+        flash: image.sizes.flash,
     })
 }
 

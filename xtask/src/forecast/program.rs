@@ -2,7 +2,7 @@
 
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 use serde_json::Value;
 
@@ -10,6 +10,9 @@ use super::Rows;
 use crate::command;
 use crate::failure::{During, Failure, Outcome};
 use crate::layout::Layout;
+
+/// Its name, and its package's.
+const PROGRAM: &str = "microbrdf-forecast";
 
 /// The program, in release profile.
 pub struct Program<'a> {
@@ -20,7 +23,7 @@ impl<'a> Program<'a> {
     /// Builds it.
     pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
         command::build(
-            cargo(layout, "build"),
+            command::release(layout, PROGRAM, PROGRAM),
             quiet,
             "the program of the forecasts",
         )?;
@@ -66,13 +69,11 @@ impl<'a> Program<'a> {
     }
 
     fn run(&self, arguments: &[OsString]) -> Outcome<String> {
-        let output = cargo(self.layout, "run")
-            .args(["--quiet", "--"])
+        let output = command::built(self.layout, PROGRAM)
             .args(arguments)
-            .stdin(Stdio::null())
             .stderr(Stdio::inherit())
             .output()
-            .during(|| "starting cargo".to_string())?;
+            .during(|| format!("starting {PROGRAM}"))?;
         if output.status.success() {
             return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
         }
@@ -85,16 +86,4 @@ impl<'a> Program<'a> {
             output.status
         )))
     }
-}
-
-fn cargo(layout: &Layout, subcommand: &str) -> Command {
-    let mut command = command::host_cargo(layout.root());
-    command.args([subcommand, "--release", "--locked"]);
-    command.args([
-        "--package",
-        "microbrdf-forecast",
-        "--bin",
-        "microbrdf-forecast",
-    ]);
-    command
 }

@@ -32,17 +32,18 @@ impl Rows {
     /// Builds the row function of the scene, which is baked already, runs it, compares its pixels with the picture's, and returns the file with its cycles.
     pub fn count(&self, layout: &Layout, cross: &Cross, program: &Program<'_>) -> Outcome<PathBuf> {
         let stem = self.scene.file_stem().unwrap_or_default();
-        let name = format!("{}-{}", stem.to_string_lossy(), self.arithmetic);
+        let (stem, target) = (stem.to_string_lossy(), self.target);
+        let name = format!("{stem}-{}-{target}", self.arithmetic);
         let folder = folder(layout);
         fs::create_dir_all(&folder).during(|| format!("creating {}", folder.display()))?;
         let library = Library {
             package: "microbrdf-row",
             calls: folder.join(format!("{name}-calls.json")),
-            images: folder.join(self.target),
+            images: folder.join(&name),
             scene: Some(firmware::baked(layout, &self.scene, &self.arithmetic)),
         };
         program.calls(self, &library.calls)?;
-        let output = folder.join(format!("{name}-{}.json", self.target));
+        let output = folder.join(format!("{name}.json"));
         run(layout, cross, &library, self.target, &output)?;
         Ok(output)
     }

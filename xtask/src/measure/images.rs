@@ -11,6 +11,7 @@ use crate::command;
 use crate::failure::{During, Failure, Outcome};
 use crate::firmware::SCENE;
 use crate::layout::Layout;
+use crate::lock;
 use crate::toolchain::Cross;
 
 /// A library of exported functions, each of which is linked alone.
@@ -49,16 +50,21 @@ impl Library {
 
     /// Compiles it, and links one image for each function that is to be called.
     pub fn link(&self, layout: &Layout, cross: &Cross, target: &str, quiet: bool) -> Outcome<()> {
-        self.compile(layout, cross, target, quiet)?;
-        let library = layout
-            .cross_target()
-            .join(target)
-            .join("firmware")
-            .join(format!("lib{}.a", self.package.replace('-', "_")));
         // A function that is gone must not be run from an old image.
         let _ = fs::remove_dir_all(&self.images);
         fs::create_dir_all(&self.images)
             .during(|| format!("creating {}", self.images.display()))?;
+        let file = format!("lib{}.a", self.package.replace('-', "_"));
+        let library = self.images.join(&file);
+        let building = lock::hold(&layout.cross_lock())?;
+        self.compile(layout, cross, target, quiet)?;
+        let made = layout
+            .cross_target()
+            .join(target)
+            .join("firmware")
+            .join(file);
+        fs::copy(&made, &library).during(|| format!("copying {}", made.display()))?;
+        drop(building);
         for name in names(&self.calls)? {
             let image = self.images.join(format!("{name}.elf"));
             alone(layout, cross, target, &library, &name, &image)?;

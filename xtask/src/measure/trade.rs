@@ -2,7 +2,6 @@
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 
 use crate::command;
 use crate::failure::{During, Failure, Outcome};
@@ -11,6 +10,9 @@ use crate::toolchain::Cross;
 
 /// Calls within the lobe that each kernel gets.
 const COUNT: &str = "64";
+
+/// Its name, and its package's.
+const PROGRAM: &str = "microbrdf-trade";
 
 /// The program, in release profile.
 pub struct Trade<'a> {
@@ -22,7 +24,7 @@ impl<'a> Trade<'a> {
     /// Builds it.
     pub fn build(layout: &'a Layout, quiet: bool) -> Outcome<Self> {
         command::build(
-            cargo(layout, "build"),
+            command::release(layout, PROGRAM, PROGRAM),
             quiet,
             "the program of the trade tables",
         )?;
@@ -105,12 +107,10 @@ impl<'a> Trade<'a> {
     }
 
     fn run(&self, arguments: &[impl AsRef<OsStr>]) -> Outcome<()> {
-        let status = cargo(self.layout, "run")
-            .args(["--quiet", "--"])
+        let status = command::built(self.layout, PROGRAM)
             .args(arguments)
-            .stdin(Stdio::null())
             .status()
-            .during(|| "starting cargo".to_string())?;
+            .during(|| format!("starting {PROGRAM}"))?;
         if status.success() {
             return Ok(());
         }
@@ -120,11 +120,4 @@ impl<'a> Trade<'a> {
             name.unwrap_or(Path::new("")).display()
         )))
     }
-}
-
-fn cargo(layout: &Layout, subcommand: &str) -> Command {
-    let mut command = command::host_cargo(layout.root());
-    command.args([subcommand, "--release", "--locked"]);
-    command.args(["--package", "microbrdf-trade", "--bin", "microbrdf-trade"]);
-    command
 }
