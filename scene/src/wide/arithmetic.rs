@@ -7,8 +7,9 @@
 use microbrdf::Rgb;
 use microbrdf::arithmetic::{Arithmetic, Math};
 use microbrdf::geometry::Direction;
-use microbrdf::shade::Linear;
+use microbrdf::shade::{LINEAR_ONE, Linear};
 use microbrdf::table::{CosineCurve, ProfileCurve, SquareCurve};
+use wide::f32x8;
 
 use super::lanes::{Lanes, One, WIDTH, one};
 use crate::host::Native;
@@ -120,6 +121,11 @@ impl Arithmetic for Wide {
     // A loop, since a closure of that size would be called.
     #[inline(always)]
     fn power(n: &f32, x: Lanes) -> Lanes {
+        // Beyond this e^(n·ln(1 − x)) ≤ e^(−n·x) is 0 in single precision.
+        const END: f32 = 105.0;
+        if !any(|i| (x.0[i] < 1.0) & (n * x.0[i] < END)) {
+            return Self::ZERO;
+        }
         let mut powers = [0.0; WIDTH];
         for (power, x) in powers.iter_mut().zip(x.0) {
             let within = Native::exp(n * Native::ln_one_minus(x));
@@ -210,8 +216,53 @@ impl Arithmetic for Wide {
     }
 }
 
-/// The clamped pixels.
+/// The clamped pixels, as the core's `linear` rounds each.
 #[inline(always)]
 pub(super) fn clamped(light: &Rgb<Lanes>) -> [Linear; WIDTH] {
-    std::array::from_fn(|i| One::linear(light.map(|channel| channel.0[i])))
+    // Clamped before, so that the processor's conversion will do. What is not a
+    // number is 0.
+    let codes = |lanes: &Lanes| {
+        let steps = Lanes::of(|i| {
+            let light = lanes.0[i];
+            let bounded = if light > 0.0 { light } else { 0.0 };
+            let bounded = if bounded < 1.0 { bounded } else { 1.0 };
+            bounded * LINEAR_ONE as f32 + 0.5
+        });
+        f32x8::from(steps.0).fast_trunc_int().to_array()
+    };
+    let [r, g, b] = [codes(&light.r), codes(&light.g), codes(&light.b)];
+    std::array::from_fn(|i| Linear::from_raw(r[i] as u32, g[i] as u32, b[i] as u32))
+}
+
+#[cfg(test)]
+mod tests {
+    use microbrdf::Rgb;
+    use microbrdf::arithmetic::Arithmetic;
+
+    use super::{Lanes, One, Wide, clamped};
+
+    #[test]
+    fn eight_pixels_are_rounded_as_one_is() {
+        let mut lights = vec![
+            f32::NAN,
+            f32::INFINITY,
+            -f32::INFINITY,
+            -0.0,
+            -1e-9,
+            1.0,
+            1e9,
+        ];
+        lights.extend((0..4000).map(|i| i as f32 * 3e-4));
+        lights.extend((0..4000).map(|i| 1.0 - i as f32 * 3e-8));
+        lights.extend((0..4000).map(|i| i as f32 * 1.5e-8));
+        for light in lights {
+            let expected = One::linear(Rgb::grey(light));
+            assert_eq!(
+                clamped(&Rgb::grey(Lanes::all(light))),
+                [expected; 8],
+                "{light}"
+            );
+            assert_eq!(Wide::linear(Rgb::grey(Lanes::all(light))), expected);
+        }
+    }
 }

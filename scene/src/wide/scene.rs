@@ -18,8 +18,9 @@ use crate::model::AnyModel;
 use crate::prepare::{Prepared, PreparedCoat};
 use crate::quality::{AnySamples, AnyShadows};
 
-/// The index of no material.
+/// The index of no material, and that of a pixel that is done.
 const NOTHING: u32 = u32::MAX;
+const SHOWN: u32 = NOTHING - 1;
 
 /// A scene of spheres and planes under distant lights, in single precision: its
 /// rows have the bits of the core's, and come several times sooner.
@@ -97,8 +98,8 @@ impl WideScene {
 
     /// Up to eight pixels, from column `x` on.
     fn shade(&self, x: usize, y: usize, pixels: &mut [Linear]) {
-        pixels.fill(self.background);
         if self.planes.is_empty() && !self.spheres.iter().any(|sphere| near(sphere, x, y)) {
+            pixels.fill(self.background);
             return;
         }
         let d = Wide::ray(&self.camera, x, y);
@@ -108,23 +109,43 @@ impl WideScene {
             ..
         } = self.first_hit(&d, x, y);
         let v = Wide::reverse(&d);
+        let first = materials[0];
         // As a rule they are all of one material.
+        if materials == [first; WIDTH] {
+            let lit = self.lit(first, &normals, &v);
+            match pixels.first_chunk_mut() {
+                Some(pixels) => *pixels = lit,
+                None => pixels.copy_from_slice(&lit[..pixels.len()]),
+            }
+            return;
+        }
         for i in 0..pixels.len() {
             let material = materials[i];
-            if material == NOTHING {
+            if material == SHOWN {
                 continue;
             }
-            let lit = self
-                .light(material, &normals, &v)
-                .map_or_else(Default::default, |light| clamped(&light));
+            let lit = self.lit(material, &normals, &v);
             let rest = pixels.iter_mut().zip(&mut materials).zip(lit).skip(i);
             for ((shown, other), lit) in rest {
                 if *other == material {
                     *shown = lit;
-                    *other = NOTHING;
+                    *other = SHOWN;
                 }
             }
         }
+    }
+
+    /// The pixels of a material, or of none, with these normals.
+    #[inline(always)]
+    fn lit(&self, material: u32, n: &Direction<Wide>, v: &Direction<Wide>) -> [Linear; WIDTH] {
+        if material == NOTHING {
+            return [self.background; WIDTH];
+        }
+        // A shape whose material is past the end is black.
+        let Some(coats) = self.materials.get(material as usize) else {
+            return Default::default();
+        };
+        clamped(&self.light(coats, n, v))
     }
 
     /// Depth, normal and material of what the rays meet first, in the core's
@@ -150,20 +171,27 @@ impl WideScene {
         seen
     }
 
-    /// The light of a material with these normals; `None` beyond the last.
-    fn light(&self, material: u32, n: &Direction<Wide>, v: &Direction<Wide>) -> Option<Rgb<Lanes>> {
+    /// The light of a material's parts with these normals.
+    #[inline(always)]
+    fn light(&self, coats: &[Coat], n: &Direction<Wide>, v: &Direction<Wide>) -> Rgb<Lanes> {
         let n_dot_v = Wide::dot(n, v);
-        let coats = self.materials.get(material as usize)?;
-        let lights = coats.iter().map(|coat| {
-            let sky = coat.daylight.as_ref();
-            let mut sum = sky.map_or_else(Rgb::default, |sky| sky.light(n_dot_v));
+        let mut total = Rgb::default();
+        for (index, coat) in coats.iter().enumerate() {
+            let mut sum = match &coat.daylight {
+                Some(sky) => sky.light(n_dot_v),
+                None => Rgb::default(),
+            };
             for (l, gain) in self.lights.iter().zip(&coat.gains) {
                 let geometry = Lit::new(*n, *l, *v, n_dot_v);
                 sum = sum.zip(coat.model.shade(gain, &geometry), Wide::add_light);
             }
-            sum
-        });
-        lights.reduce(|sum, light| sum.zip(light, Wide::add_light))
+            total = if index == 0 {
+                sum
+            } else {
+                total.zip(sum, Wide::add_light)
+            };
+        }
+        total
     }
 }
 

@@ -9,13 +9,13 @@ pub const SCENE_BUGS: &[Bug] = &[
         "metallic paint takes Fresnel's factor at Θmin",
         "core/src/brdf/tinted.rs",
         "A::cos_theta_prime(geometry.separation(), geometry.cosines())",
-        "larger::<A>(geometry.cosines().0, geometry.cosines().1)",
+        "A::larger(geometry.cosines().0, geometry.cosines().1)",
         &["scenes"],
     ),
     bug(
         "a metal of patches takes Fresnel's factor at V",
         "core/src/brdf/tinted.rs",
-        "        larger::<A>(n_dot_l, n_dot_v)\n",
+        "        A::larger(n_dot_l, n_dot_v)\n",
         "        core::cmp::PartialOrd::partial_cmp(&n_dot_l, &n_dot_v).map_or(n_dot_l, |_| n_dot_v)\n",
         &["scenes"],
     ),
@@ -28,6 +28,27 @@ pub const SCENE_BUGS: &[Bug] = &[
         &["golden"],
     )
     .of("core"),
+    bug(
+        "eight pixels: one below the horizon is lit beside one above",
+        "scene/src/wide/geometry.rs",
+        "if One::lit(n_dot_l.0[i], n_dot_v.0[i])",
+        "if true",
+        &["wide"],
+    ),
+    bug(
+        "eight pixels: the last shape is taken, not the nearest",
+        "scene/src/wide/scene.rs",
+        "(depth < self.depths.0[i])",
+        "!depth.is_nan()",
+        &["wide"],
+    ),
+    bug(
+        "eight pixels: a lobe ends where it still shows",
+        "scene/src/wide/arithmetic.rs",
+        "const END: f32 = 105.0;",
+        "const END: f32 = 5.0;",
+        &["wide"],
+    ),
     bug(
         "a highlight's row goes the other way across",
         "core/src/shade/highlight/rows.rs",
