@@ -61,6 +61,8 @@ pub enum Command {
     #[command(
         after_help = "The scene is enlarged to 1024 pixels; the renderers take turns, and all use \
         all cores. Times are wall clock: only their ratios within a run mean something.\n\n\
+        In f32 spheres and planes under distant lights come eight pixels at a time, with the \
+        bits of the core's own row function; other scenes, and other arithmetics, pixel by pixel.\n\n\
         Example: microbrdf bench scenes/demo.toml"
     )]
     Bench(Bench),
@@ -327,6 +329,9 @@ pub struct Bench {
     /// Turns of each renderer.
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub repeat: u16,
+    /// Exit with 1 unless f32 is so many times as fast as both others.
+    #[arg(long, value_name = "TIMES", value_parser = positive)]
+    pub at_least: Option<f64>,
 }
 
 /// `budget`.
@@ -365,4 +370,12 @@ pub struct Tables {
     /// Print CSV, quoted where needed, instead of aligned columns.
     #[arg(long)]
     pub csv: bool,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if number > 0.0 && f64::is_finite(number) => Ok(number),
+        _ => Err("must be a number above 0".to_owned()),
+    }
 }

@@ -52,7 +52,7 @@ const fn bug(
     }
 }
 
-const BRDF: &str = "core/src/brdf/mod.rs";
+const STEPS: &str = "core/src/arithmetic/mod.rs";
 const F32: &str = "core/src/arithmetic/f32.rs";
 const Q31: &str = "core/src/arithmetic/q31.rs";
 const SHORT: &str = "core/src/arithmetic/short.rs";
@@ -68,7 +68,7 @@ const CURVE: &str = "core/src/table/cosine_curve.rs";
 pub const BUGS: &[Bug] = &[
     bug(
         "cosΘmin is the smaller cosine",
-        BRDF,
+        STEPS,
         "if n_dot_l >= n_dot_v { n_dot_l } else { n_dot_v }",
         "if n_dot_l >= n_dot_v { n_dot_v } else { n_dot_l }",
         &["values"],
@@ -90,7 +90,7 @@ pub const BUGS: &[Bug] = &[
     bug(
         "Fresnel's factor at the larger angle",
         METAL,
-        "larger::<A>(n_dot_l, n_dot_v)",
+        "A::larger(n_dot_l, n_dot_v)",
         "if n_dot_l >= n_dot_v { n_dot_v } else { n_dot_l }",
         &["values"],
     ),
@@ -349,7 +349,7 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a sample's Fresnel factor is V's",
         "core/src/sampling/metal.rs",
-        "larger::<A>(direction.cosine(), v.cosine())",
+        "A::larger(direction.cosine(), v.cosine())",
         "v.cosine()",
         &["sampling"],
     ),

@@ -121,11 +121,7 @@ fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64])
                     continue;
                 }
                 lit += usize::from(code != 0);
-                let shown = [code >> 11, code >> 5 & 63, code & 31];
-                let levels = exact(&model, k, l, point);
-                for (shown, exact) in shown.into_iter().zip(levels) {
-                    worst = worst.max((f64::from(shown) - exact.round()).abs());
-                }
+                worst = worst.max(levels_off(code, exact(&model, k, l, point)));
             }
         }
     }
@@ -167,6 +163,72 @@ fn at_most_one_level_off_at_the_lobes_own_peak() {
         let found = worst::<512, 512>(n, peak, &ANGLES);
         assert!(found.0 <= 1.0, "n = {n}: {found:?}");
     }
+}
+
+/// The greatest error in levels over parts of large spheres, here and there in the
+/// lobe, and how many pixels were lit.
+fn worst_of_parts(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
+    let model = MetallicPhong::new(n, Energy::Published).expect("an exponent");
+    let colours = colours::<512>(n, k);
+    // Where no channel shows the light, from the middle of the lobe.
+    let reach = (0.5 * (1.0 - (-(8.0 + k.ln()) / n).exp())).sqrt();
+    let (mut worst, mut lit) = (0.0f64, 0);
+    for &angle in angles {
+        let azimuth = 0.3 + 5.0 * angle;
+        let given = light(angle, azimuth);
+        let sphere = LitSphere::<512>::new(&colours, direction(given));
+        let l = given.map(I2F30::to_num::<f64>);
+        let half = (angle / 2.0).sin();
+        for (part, radius) in
+            (0..60).zip([300.0, 700.0, 1500.0, 3000.0, 8192.0].into_iter().cycle())
+        {
+            let (turn, away) = (f64::from(part), reach * f64::from(part % 11) / 10.0);
+            let middle = [
+                half * azimuth.cos() + away * turn.cos(),
+                half * azimuth.sin() + away * turn.sin(),
+            ];
+            let picture = Picture::about(middle, 1.0 / radius, 70);
+            for (point, code) in picture.shade(&sphere, &colours) {
+                if (point[0].hypot(point[1]) - 1.0).abs() < EDGE {
+                    continue;
+                }
+                lit += usize::from(code != 0);
+                worst = worst.max(levels_off(code, exact(&model, k, l, point)));
+            }
+        }
+    }
+    (worst, lit)
+}
+
+/// How far a code is from the levels that are exact.
+fn levels_off(code: u16, levels: [f64; 3]) -> f64 {
+    let shown = [code >> 11, code >> 5 & 63, code & 31];
+    (shown.into_iter().zip(levels))
+        .map(|(shown, exact)| (f64::from(shown) - exact.round()).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn at_most_one_level_off_in_parts_of_large_spheres() {
+    let mut lit = 0;
+    for n in [1.5, 2.0, 5.0, 20.0, 100.0, 500.0, 5000.0, 1e5, 1e8] {
+        let found = worst_of_parts(n, 1.0, &ANGLES);
+        assert!(found.0 <= 1.0, "n = {n}: {found:?}");
+        lit += found.1;
+    }
+    let peak = |n: f64| (n + 2.0) / std::f64::consts::TAU;
+    for n in [1.5, 2.0, 20.0, 100.0] {
+        let found = worst_of_parts(n, peak(n), &ANGLES);
+        assert!(found.0 <= 1.0, "n = {n} at its peak: {found:?}");
+        lit += found.1;
+    }
+    // Lights to 86°; at 115° the tables' steps add up to two levels, if rarely.
+    let (sideways, others) = ANGLES.split_last().expect("angles");
+    let found = worst_of_parts(500.0, peak(500.0), others);
+    assert!(found.0 <= 1.0, "n = 500 at its peak: {found:?}");
+    let found = worst_of_parts(500.0, peak(500.0), &[*sideways]);
+    assert!(found.0 <= 2.0, "n = 500 at its peak, sideways: {found:?}");
+    assert!(lit > 1_000_000, "{lit}");
 }
 
 /// Half of the tables, at full light.

@@ -72,7 +72,15 @@ pub fn run(arguments: &Bench) -> Outcome<()> {
             plain / median
         ));
     }
-    super::print(&text)
+    super::print(&text)?;
+    // The first is f32, which is what pictures are to come fast in.
+    let slower = reference.min(plain) / medians.first().copied().unwrap_or(f64::INFINITY);
+    match arguments.at_least {
+        Some(least) if slower.is_nan() || slower < least => Err(Failure::Incomplete(format!(
+            "f32 is {slower:.2} times as fast as another renderer: --at-least {least}"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn median(times: &mut [f64]) -> f64 {

@@ -59,3 +59,59 @@ impl Geometry<Wide> for Lit {
         self.world.separation()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use microbrdf::Rgb;
+    use microbrdf::arithmetic::Arithmetic;
+    use microbrdf::brdf::{Brdf, Flat, Metallic, MetallicPhong, Mirror, Phong, PhongLobe};
+    use microbrdf::geometry::{Direction, World};
+
+    use super::super::lanes::{One, WIDTH, directions, one};
+    use super::{Lanes, Lit, Wide};
+    use crate::host::HostModels;
+
+    /// Cosines of the light and of the viewer, those of each side beside each other.
+    const COSINES: [[f32; 2]; WIDTH] = [
+        [0.8, 0.6],
+        [0.8, -0.1],
+        [-0.3, 0.5],
+        [-0.2, -0.9],
+        [0.5, 0.0],
+        [0.0, 0.7],
+        [0.3, -1e-8],
+        [1.0, 1.0],
+    ];
+
+    fn along(x: f32, z: f32) -> Direction<One> {
+        Direction::new(x * (1.0 - z * z).sqrt(), 0.0, z)
+    }
+
+    fn same<M: Brdf<One>, W: Brdf<Wide>>(single: &M, wide: &W) {
+        let n = directions(|_| Direction::new(0.0, 0.0, 1.0));
+        let l = directions(|i| along(1.0, COSINES[i][0]));
+        let v = directions(|i| along(-1.0, COSINES[i][1]));
+        let geometry = Lit::new(n, l, v, Wide::dot(&n, &v));
+        let found = wide.share(&geometry).r;
+        let expected = Lanes::of(|i| {
+            let geometry = World::new(one(&n, i), one(&l, i), one(&v, i));
+            single.share(&geometry).r
+        });
+        assert_eq!(found, expected);
+        let lit = expected.0.map(|share| share > 0.0);
+        assert_eq!(lit, [true, false, false, false, true, false, false, true]);
+        let none = Rgb::grey(0.0);
+        assert_eq!(wide.shade(&none, &geometry), Rgb::default());
+    }
+
+    /// Each pixel as it is by itself, whatever stands beside it.
+    #[test]
+    fn pixels_that_are_not_lit_are_0_beside_others() {
+        let single: MetallicPhong<One> = One::lobe(2.0, Metallic).expect("n");
+        let wide: PhongLobe<Wide, Mirror, _> = Wide::lobe(2.0, Metallic).expect("n");
+        same(&single, &wide);
+        let single: Phong<One> = One::lobe(2.0, Flat).expect("n");
+        let wide: PhongLobe<Wide, Mirror, _> = Wide::lobe(2.0, Flat).expect("n");
+        same(&single, &wide);
+    }
+}

@@ -29,12 +29,13 @@ pub const SCENE_BUGS: &[Bug] = &[
     )
     .of("core"),
     bug(
-        "eight pixels: one below the horizon is lit beside one above",
+        "eight pixels: one seen from behind is lit beside another",
         "scene/src/wide/geometry.rs",
         "if One::lit(n_dot_l.0[i], n_dot_v.0[i])",
         "if true",
-        &["wide"],
-    ),
+        &["lib"],
+    )
+    .of("scene"),
     bug(
         "eight pixels: the last shape is taken, not the nearest",
         "scene/src/wide/scene.rs",

@@ -13,6 +13,7 @@ mod probes;
 mod python;
 mod rust;
 mod schedule;
+mod speed;
 mod trade;
 mod unused;
 
@@ -89,6 +90,7 @@ fn steps() -> Vec<Step> {
     steps.extend(unused::steps());
     steps.extend(emulated::steps());
     steps.extend(bad_input::steps());
+    steps.push(speed::host_rendering());
     steps.extend(rust::release());
     steps.push(oldest::step());
     steps
