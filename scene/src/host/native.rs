@@ -7,8 +7,8 @@ use microbrdf::arithmetic::{Libm, Math};
 /// logarithm without a branch. For pictures, on hosts with `std`.
 ///
 /// They follow libm's own steps, so that every rounding is the same; where libm
-/// takes a shorter way, both are computed and one is chosen. The tests compare
-/// every argument that a lobe or a profile can have.
+/// takes a shorter way, both are computed and one is chosen. The tests compare one
+/// of thirteen arguments that a lobe or a profile can have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Native;
 

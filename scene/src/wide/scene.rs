@@ -23,7 +23,8 @@ const NOTHING: u32 = u32::MAX;
 const SHOWN: u32 = NOTHING - 1;
 
 /// A scene of spheres and planes under distant lights, in single precision: its
-/// rows have the bits of the core's, and come several times sooner.
+/// rows have the bits of the core's (`tests/tests/wide.rs`), and come several times
+/// sooner (`microbrdf bench`).
 #[derive(Debug)]
 pub struct WideScene {
     camera: Camera<Wide>,
