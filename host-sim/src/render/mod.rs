@@ -1,5 +1,6 @@
 //! Pictures as the core computes them.
 
+mod encode;
 mod renderer;
 
 pub use renderer::Renderer;

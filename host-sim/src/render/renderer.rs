@@ -6,6 +6,7 @@ use microbrdf_scene::{Description, HostArithmetic, Native, Prepared, SceneParts,
 use rayon::prelude::*;
 
 use super::Frame;
+use super::encode::encode;
 use crate::arithmetic::ArithmeticName;
 use crate::exit::{Failure, Outcome};
 use crate::picture::Picture;
@@ -122,9 +123,7 @@ fn paint(
             let buffer = || vec![Linear::default(); width];
             rows.for_each_init(buffer, |row, (y, codes)| {
                 shade(y, row);
-                for (code, pixel) in codes.iter_mut().zip(row) {
-                    *code = pixel.srgb8();
-                }
+                encode(row, codes);
                 progress.step();
             });
         }
