@@ -93,9 +93,14 @@ fn exact(model: &MetallicPhong, k: f64, l: [f64; 3], [x, y]: [f64; 2]) -> [f64; 
     [level(0, 31.0), level(1, 63.0), level(2, 31.0)]
 }
 
-/// The greatest error in levels over pictures of spheres of these sizes, and
-/// how many pixels were lit.
-fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
+/// The greatest error in levels over the pictures that are given for an angle and
+/// an azimuth of the light, and how many pixels were lit.
+fn worst_over<const CELLS: usize, const STEPS: usize>(
+    n: f64,
+    k: f64,
+    angles: &[f64],
+    pictures: impl Fn(f64, f64) -> Vec<Picture>,
+) -> (f64, usize) {
     let model = MetallicPhong::new(n, Energy::Published).expect("an exponent");
     let colours = colours::<CELLS>(n, k);
     let (mut worst, mut lit) = (0.0f64, 0);
@@ -104,18 +109,7 @@ fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64])
         let given = light(angle, azimuth);
         let sphere = LitSphere::<STEPS>::new(&colours, direction(given));
         let l = given.map(I2F30::to_num::<f64>);
-        for (side, radius) in PICTURES {
-            // The whole sphere, or the part about the highlight.
-            let half = if 2.0 * radius > side as f64 {
-                (angle / 2.0).sin()
-            } else {
-                0.0
-            };
-            let picture = Picture::about(
-                [half * azimuth.cos(), half * azimuth.sin()],
-                1.0 / radius,
-                side,
-            );
+        for picture in pictures(angle, azimuth) {
             for (point, code) in picture.shade(&sphere, &colours) {
                 if (point[0].hypot(point[1]) - 1.0).abs() < EDGE {
                     continue;
@@ -126,6 +120,34 @@ fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64])
         }
     }
     (worst, lit)
+}
+
+/// How far a code is from the levels that are exact.
+fn levels_off(code: u16, levels: [f64; 3]) -> f64 {
+    let shown = [code >> 11, code >> 5 & 63, code & 31];
+    (shown.into_iter().zip(levels))
+        .map(|(shown, exact)| (f64::from(shown) - exact.round()).abs())
+        .fold(0.0, f64::max)
+}
+
+/// Over pictures of spheres of these sizes.
+fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
+    worst_over::<CELLS, STEPS>(n, k, angles, |angle, azimuth| {
+        let picture = |(side, radius): (usize, f64)| {
+            // The whole sphere, or the part about the highlight.
+            let half = if 2.0 * radius > side as f64 {
+                (angle / 2.0).sin()
+            } else {
+                0.0
+            };
+            Picture::about(
+                [half * azimuth.cos(), half * azimuth.sin()],
+                1.0 / radius,
+                side,
+            )
+        };
+        PICTURES.map(picture).into()
+    })
 }
 
 /// Pixels of a picture's side, and of the sphere's radius.
@@ -165,47 +187,23 @@ fn at_most_one_level_off_at_the_lobes_own_peak() {
     }
 }
 
-/// The greatest error in levels over parts of large spheres, here and there in the
-/// lobe, and how many pixels were lit.
+/// Over parts of large spheres, here and there in the lobe.
 fn worst_of_parts(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
-    let model = MetallicPhong::new(n, Energy::Published).expect("an exponent");
-    let colours = colours::<512>(n, k);
     // Where no channel shows the light, from the middle of the lobe.
     let reach = (0.5 * (1.0 - (-(8.0 + k.ln()) / n).exp())).sqrt();
-    let (mut worst, mut lit) = (0.0f64, 0);
-    for &angle in angles {
-        let azimuth = 0.3 + 5.0 * angle;
-        let given = light(angle, azimuth);
-        let sphere = LitSphere::<512>::new(&colours, direction(given));
-        let l = given.map(I2F30::to_num::<f64>);
+    let radii = [300.0, 700.0, 1500.0, 3000.0, 8192.0];
+    worst_over::<512, 512>(n, k, angles, |angle, azimuth| {
         let half = (angle / 2.0).sin();
-        for (part, radius) in
-            (0..60).zip([300.0, 700.0, 1500.0, 3000.0, 8192.0].into_iter().cycle())
-        {
+        let part = |(part, radius): (i32, f64)| {
             let (turn, away) = (f64::from(part), reach * f64::from(part % 11) / 10.0);
             let middle = [
                 half * azimuth.cos() + away * turn.cos(),
                 half * azimuth.sin() + away * turn.sin(),
             ];
-            let picture = Picture::about(middle, 1.0 / radius, 70);
-            for (point, code) in picture.shade(&sphere, &colours) {
-                if (point[0].hypot(point[1]) - 1.0).abs() < EDGE {
-                    continue;
-                }
-                lit += usize::from(code != 0);
-                worst = worst.max(levels_off(code, exact(&model, k, l, point)));
-            }
-        }
-    }
-    (worst, lit)
-}
-
-/// How far a code is from the levels that are exact.
-fn levels_off(code: u16, levels: [f64; 3]) -> f64 {
-    let shown = [code >> 11, code >> 5 & 63, code & 31];
-    (shown.into_iter().zip(levels))
-        .map(|(shown, exact)| (f64::from(shown) - exact.round()).abs())
-        .fold(0.0, f64::max)
+            Picture::about(middle, 1.0 / radius, 70)
+        };
+        (0..60).zip(radii.into_iter().cycle()).map(part).collect()
+    })
 }
 
 #[test]
