@@ -22,10 +22,11 @@ pub struct Camera<A: Tracing> {
 }
 
 impl<A: Tracing> Camera<A> {
-    /// Column and row counted in half pixels from the centre, to the right
-    /// and up.
+    /// Column `x` and row `y` counted in half pixels from the centre, to the right
+    /// and up: two from a pixel to the next.
     #[inline]
-    pub(crate) fn half_steps(&self, x: usize, y: usize) -> (i32, i32) {
+    #[must_use]
+    pub fn half_steps(&self, x: usize, y: usize) -> (i32, i32) {
         let (x, y) = (x as i32, y as i32);
         (
             2 * x + 1 - i32::from(self.width),

@@ -59,7 +59,7 @@ pub trait HostArithmetic:
     /// A radiance in decimal digits that read back exactly.
     fn radiance_text(radiance: Self::Radiance) -> String;
 
-    /// Rounds a parameter as [`Self::lobe`] does with an exponent.
+    /// Rounds a parameter as [`HostModels::lobe`] does with an exponent.
     fn exponent_value(value: f64) -> f64;
     /// Rounds a radius.
     fn radius_value(value: f64) -> f64;

@@ -4,37 +4,43 @@
 //! does so only if that is right for each. [`Lit`](super::geometry::Lit) sees to
 //! those that are not lit.
 
+use ::wide::f32x8;
 use microbrdf::Rgb;
 use microbrdf::arithmetic::{Arithmetic, Math};
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{LINEAR_ONE, Linear};
 use microbrdf::table::{CosineCurve, ProfileCurve, SquareCurve};
-use wide::f32x8;
 
-use super::lanes::{Lanes, One, WIDTH, one};
+use super::lanes::{Lanes, One, WIDTH, Which};
 use crate::host::Native;
 
 /// Single precision, eight numbers at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wide;
 
-/// Whether something holds for a pixel.
-#[inline(always)]
-fn any(holds: impl Fn(usize) -> bool) -> bool {
-    (0..WIDTH).fold(false, |any, i| any | holds(i))
-}
-
 /// Three numbers for each pixel.
 #[inline(always)]
-fn colours(step: impl Fn(usize) -> Rgb<f32>) -> Rgb<Lanes> {
-    let mut found = Rgb::grey(Lanes::default());
-    for i in 0..WIDTH {
-        let colour = step(i);
-        found.r.0[i] = colour.r;
-        found.g.0[i] = colour.g;
-        found.b.0[i] = colour.b;
+fn colours(cosines: Lanes, step: impl Fn(f32) -> Rgb<f32>) -> Rgb<Lanes> {
+    let mut found = [[0.0; WIDTH]; 3];
+    for (i, cosine) in cosines.array().into_iter().enumerate() {
+        let colour = step(cosine).to_array();
+        for (lanes, channel) in found.iter_mut().zip(colour) {
+            lanes[i] = channel;
+        }
     }
-    found
+    Rgb::from_array(found.map(|lanes| Lanes(f32x8::from(lanes))))
+}
+
+/// Pixels to which light comes and from which it is seen.
+#[inline(always)]
+pub(super) fn lit(n_dot_l: Lanes, n_dot_v: Lanes) -> Which {
+    n_dot_l.above(Lanes::ZERO).and(upright(n_dot_l, n_dot_v))
+}
+
+#[inline(always)]
+fn upright(n_dot_l: Lanes, n_dot_v: Lanes) -> Which {
+    let is_cosine = |c: Lanes| c.at_least(Lanes::ZERO).and(c.at_most(Lanes::all(f32::MAX)));
+    is_cosine(n_dot_l).and(is_cosine(n_dot_v))
 }
 
 impl Arithmetic for Wide {
@@ -56,13 +62,13 @@ impl Arithmetic for Wide {
     type Profile = f32;
     type CosinePower = f32;
 
-    const COSINE_ZERO: Lanes = Lanes::all(0.0);
-    const ZERO: Lanes = Lanes::all(0.0);
-    const ONE: Lanes = Lanes::all(1.0);
+    const COSINE_ZERO: Lanes = Lanes::ZERO;
+    const ZERO: Lanes = Lanes::ZERO;
+    const ONE: Lanes = Lanes::ONE;
 
     #[inline(always)]
     fn dot(a: &Direction<Self>, b: &Direction<Self>) -> Lanes {
-        Lanes::of(|i| One::dot(&one(a, i), &one(b, i)))
+        a.x * b.x + a.y * b.y + a.z * b.z
     }
     #[inline(always)]
     fn upright(z: Lanes) -> Lanes {
@@ -70,46 +76,46 @@ impl Arithmetic for Wide {
     }
     #[inline(always)]
     fn sum(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::sum(a.0[i], b.0[i]))
+        a + b
     }
     #[inline(always)]
     fn difference(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::difference(a.0[i], b.0[i]))
+        a - b
     }
     #[inline(always)]
     fn height(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::height(a.0[i], b.0[i]))
+        a - b
     }
     #[inline(always)]
     fn tangential(n: Lanes, l: Lanes, v: Lanes, cosines: (Lanes, Lanes)) -> Lanes {
-        Lanes::of(|i| One::tangential(n.0[i], l.0[i], v.0[i], (cosines.0.0[i], cosines.1.0[i])))
+        (l + v) - (cosines.0 + cosines.1) * n
     }
     #[inline(always)]
     fn square<const N: usize>(offsets: [Lanes; N]) -> Lanes {
-        Lanes::of(|i| One::square(offsets.map(|offset| offset.0[i])))
+        (offsets.iter()).fold(Lanes::ZERO, |sum, offset| sum + *offset * *offset)
     }
     #[inline(always)]
     fn half(square: Lanes) -> Lanes {
-        Lanes::of(|i| One::half(square.0[i]))
+        Lanes::all(0.5) * square
     }
 
     /// For one pixel at least.
     #[inline(always)]
     fn above_horizon(n_dot_l: Lanes, n_dot_v: Lanes) -> bool {
-        any(|i| One::above_horizon(n_dot_l.0[i], n_dot_v.0[i]))
+        upright(n_dot_l, n_dot_v).any()
     }
     /// For one pixel at least.
     #[inline(always)]
     fn lit(n_dot_l: Lanes, n_dot_v: Lanes) -> bool {
-        any(|i| One::lit(n_dot_l.0[i], n_dot_v.0[i]))
+        lit(n_dot_l, n_dot_v).any()
     }
     #[inline(always)]
     fn larger(n_dot_l: Lanes, n_dot_v: Lanes) -> Lanes {
-        Lanes::of(|i| One::larger(n_dot_l.0[i], n_dot_v.0[i]))
+        n_dot_l.at_least(n_dot_v).choose(n_dot_l, n_dot_v)
     }
     #[inline(always)]
     fn within(separation: Lanes, limit: Lanes) -> Lanes {
-        Lanes::of(|i| One::within(separation.0[i], limit.0[i]))
+        separation.at_most(limit).or_zero(Lanes::ONE)
     }
     /// A pixel's directions are numbers, or it is not shown.
     #[inline(always)]
@@ -117,97 +123,100 @@ impl Arithmetic for Wide {
         true
     }
 
-    // `One::power` leaves out what it does not need, which eight at a time can't.
-    // A loop, since a closure of that size would be called.
     #[inline(always)]
     fn power(n: &f32, x: Lanes) -> Lanes {
         // Beyond this e^(n·ln(1 − x)) ≤ e^(−n·x) is 0 in single precision.
         const END: f32 = 105.0;
-        if !any(|i| (x.0[i] < 1.0) & (n * x.0[i] < END)) {
-            return Self::ZERO;
+        let shown = x
+            .below(Lanes::ONE)
+            .and((Lanes::all(*n) * x).below(Lanes::all(END)));
+        if !shown.any() {
+            return Lanes::ZERO;
         }
-        let mut powers = [0.0; WIDTH];
-        for (power, x) in powers.iter_mut().zip(x.0) {
-            let within = Native::exp(n * Native::ln_one_minus(x));
-            *power = if x < 1.0 { within } else { 0.0 };
+        // A loop, since a closure of that size would be called.
+        let mut powers = x.array();
+        for power in &mut powers {
+            *power = Native::exp(n * Native::ln_one_minus(*power));
         }
-        Lanes(powers)
+        x.below(Lanes::ONE).or_zero(Lanes(f32x8::from(powers)))
     }
     #[inline(always)]
     fn profile(s: &f32, m_squared: Lanes) -> Lanes {
-        Lanes::of(|i| One::profile(s, m_squared.0[i]))
+        m_squared.map(|square| One::profile(s, square))
     }
     #[inline(always)]
     fn free_profile(curve: &ProfileCurve, m_squared: Lanes) -> Lanes {
-        Lanes::of(|i| One::free_profile(curve, m_squared.0[i]))
+        m_squared.map(|square| One::free_profile(curve, square))
     }
     #[inline(always)]
     fn square_profile(curve: &SquareCurve, m_squared: Lanes) -> Lanes {
-        Lanes::of(|i| One::square_profile(curve, m_squared.0[i]))
+        m_squared.map(|square| One::square_profile(curve, square))
     }
     #[inline(always)]
     fn cos_theta_prime(m_squared: Lanes, (a, b): (Lanes, Lanes)) -> Lanes {
-        Lanes::of(|i| One::cos_theta_prime(m_squared.0[i], (a.0[i], b.0[i])))
+        (Lanes::all(0.25) * m_squared + Lanes::all(0.5) * (a * a + b * b)).root()
     }
     #[inline(always)]
     fn cosine_power(exponent: &f32, cosine: Lanes) -> Lanes {
-        Lanes::of(|i| One::cosine_power(exponent, cosine.0[i]))
+        cosine.map(|cosine| One::cosine_power(exponent, cosine))
     }
 
     /// Where the core has none it is 1, which changes no bit.
     #[inline(always)]
     fn ratio(a: Lanes, b: Lanes) -> Option<Lanes> {
-        Some(Lanes::of(|i| One::ratio(a.0[i], b.0[i]).unwrap_or(1.0)))
+        let below = a.at_least(b).choose(Lanes::ONE, a / b);
+        Some(a.at_most(Lanes::ZERO).choose(Lanes::ZERO, below))
     }
     #[inline(always)]
     fn attenuate(share: Lanes, ratio: Lanes) -> Lanes {
-        Lanes::of(|i| One::attenuate(share.0[i], ratio.0[i]))
+        share * ratio
     }
     #[inline(always)]
     fn foreshorten(share: Lanes, cosine: Lanes) -> Lanes {
-        Lanes::of(|i| One::foreshorten(share.0[i], cosine.0[i]))
+        let bounded = cosine.below(Lanes::ONE).choose(cosine, Lanes::ONE);
+        cosine.above(Lanes::ZERO).or_zero(share * bounded)
     }
     #[inline(always)]
     fn curve(curve: &CosineCurve, cosine: Lanes) -> Rgb<Lanes> {
-        colours(|i| One::curve(curve, cosine.0[i]))
+        colours(cosine, |cosine| One::curve(curve, cosine))
     }
     #[inline(always)]
     fn product(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::product(a.0[i], b.0[i]))
+        a * b
     }
     #[inline(always)]
     fn total(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::total(a.0[i], b.0[i]))
+        a.zip(b, One::total)
     }
 
     #[inline(always)]
     fn radiance(peak: f32, share: Lanes) -> Lanes {
-        Lanes::of(|i| One::radiance(peak, share.0[i]))
+        share.map(|share| One::radiance(peak, share))
     }
     #[inline(always)]
     fn add_radiances(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::add_radiances(a.0[i], b.0[i]))
+        a.zip(b, One::add_radiances)
     }
     #[inline(always)]
     fn value(peak: f32, share: Lanes) -> Lanes {
-        Lanes::of(|i| One::value(peak, share.0[i]))
+        share.map(|share| One::value(peak, share))
     }
     #[inline(always)]
     fn value_over(peak: f32, share: Lanes, cosine: Lanes) -> Lanes {
-        Lanes::of(|i| One::value_over(peak, share.0[i], cosine.0[i]))
+        share.zip(cosine, |share, cosine| One::value_over(peak, share, cosine))
     }
     #[inline(always)]
     fn add_values(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::add_values(a.0[i], b.0[i]))
+        a.zip(b, One::add_values)
     }
 
     #[inline(always)]
     fn expose(gain: f32, share: Lanes) -> Lanes {
-        Lanes::of(|i| One::expose(gain, share.0[i]))
+        Lanes::all(gain) * share
     }
     #[inline(always)]
     fn add_light(a: Lanes, b: Lanes) -> Lanes {
-        Lanes::of(|i| One::add_light(a.0[i], b.0[i]))
+        a + b
     }
     /// The first pixel; [`clamped`] has all.
     #[inline(always)]
@@ -221,16 +230,13 @@ impl Arithmetic for Wide {
 pub(super) fn clamped(light: &Rgb<Lanes>) -> [Linear; WIDTH] {
     // Clamped before, so that the processor's conversion will do. What is not a
     // number is 0.
-    let codes = |lanes: &Lanes| {
-        let steps = Lanes::of(|i| {
-            let light = lanes.0[i];
-            let bounded = if light > 0.0 { light } else { 0.0 };
-            let bounded = if bounded < 1.0 { bounded } else { 1.0 };
-            bounded * LINEAR_ONE as f32 + 0.5
-        });
-        f32x8::from(steps.0).fast_trunc_int().to_array()
+    let codes = |light: Lanes| {
+        let bounded = light.above(Lanes::ZERO).or_zero(light);
+        let bounded = bounded.below(Lanes::ONE).choose(bounded, Lanes::ONE);
+        let steps = bounded * Lanes::all(LINEAR_ONE as f32) + Lanes::all(0.5);
+        steps.0.fast_trunc_int().to_array()
     };
-    let [r, g, b] = [codes(&light.r), codes(&light.g), codes(&light.b)];
+    let [r, g, b] = light.to_array().map(codes);
     std::array::from_fn(|i| Linear::from_raw(r[i] as u32, g[i] as u32, b[i] as u32))
 }
 

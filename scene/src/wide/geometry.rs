@@ -1,9 +1,8 @@
 //! Directions of pixels of which some are not lit.
 
-use microbrdf::arithmetic::Arithmetic;
 use microbrdf::geometry::{Direction, Geometry, World};
 
-use super::lanes::One;
+use super::arithmetic::lit;
 use super::{Lanes, Wide};
 
 /// N, L and V, with N·L = 0 where no light arrives or is seen: there a share is 0
@@ -24,16 +23,10 @@ impl Lit {
     ) -> Self {
         let world = World::with_cosine(n, l, v, n_dot_v);
         let n_dot_l = world.cosines().0;
-        let lit = Lanes::of(|i| {
-            if One::lit(n_dot_l.0[i], n_dot_v.0[i]) {
-                n_dot_l.0[i]
-            } else {
-                0.0
-            }
-        });
+        let n_dot_l = lit(n_dot_l, n_dot_v).or_zero(n_dot_l);
         Self {
             world,
-            cosines: (lit, n_dot_v),
+            cosines: (n_dot_l, n_dot_v),
         }
     }
 }
@@ -67,8 +60,8 @@ mod tests {
     use microbrdf::brdf::{Brdf, Flat, Metallic, MetallicPhong, Mirror, Phong, PhongLobe};
     use microbrdf::geometry::{Direction, World};
 
-    use super::super::lanes::{One, WIDTH, directions, one};
-    use super::{Lanes, Lit, Wide};
+    use super::super::lanes::{One, WIDTH, directions};
+    use super::{Lit, Wide};
     use crate::host::HostModels;
 
     /// Cosines of the light and of the viewer, those of each side beside each other.
@@ -88,17 +81,17 @@ mod tests {
     }
 
     fn same<M: Brdf<One>, W: Brdf<Wide>>(single: &M, wide: &W) {
-        let n = directions(|_| Direction::new(0.0, 0.0, 1.0));
-        let l = directions(|i| along(1.0, COSINES[i][0]));
-        let v = directions(|i| along(-1.0, COSINES[i][1]));
-        let geometry = Lit::new(n, l, v, Wide::dot(&n, &v));
-        let found = wide.share(&geometry).r;
-        let expected = Lanes::of(|i| {
-            let geometry = World::new(one(&n, i), one(&l, i), one(&v, i));
-            single.share(&geometry).r
-        });
+        let n: Direction<One> = Direction::new(0.0, 0.0, 1.0);
+        let l = COSINES.map(|[l, _]| along(1.0, l));
+        let v = COSINES.map(|[_, v]| along(-1.0, v));
+        let wide_n = directions(|_| n);
+        let [wide_l, wide_v] = [l, v].map(|each| directions(|i| each[i]));
+        let geometry = Lit::new(wide_n, wide_l, wide_v, Wide::dot(&wide_n, &wide_v));
+        let found = wide.share(&geometry).r.array();
+        let expected: [f32; WIDTH] =
+            std::array::from_fn(|i| single.share(&World::new(n, l[i], v[i])).r);
         assert_eq!(found, expected);
-        let lit = expected.0.map(|share| share > 0.0);
+        let lit = expected.map(|share| share > 0.0);
         assert_eq!(lit, [true, false, false, false, true, false, false, true]);
         let none = Rgb::grey(0.0);
         assert_eq!(wide.shade(&none, &geometry), Rgb::default());

@@ -1,10 +1,11 @@
 //! Eight pixels at a time, in single precision: for pictures on a host.
 //!
-//! The core's models and shapes, in an arithmetic whose numbers are eight. Each of
-//! its steps is the core's own step in single precision, once for each of the
-//! eight, which a compiler turns into instructions for several at once; so the bits
-//! are those of `f32`, and no model's formula stands here. Four and sixteen at a
-//! time were tried, and are slower.
+//! The core's models and shapes, in an arithmetic whose numbers are eight: no
+//! model's formula stands here. Steps that are an operation or two are written for
+//! vectors; the others are the core's own in single precision, once for each pixel.
+//! Every operation rounds as it does in `f32`, so that the bits are the same, which
+//! `tests/tests/wide.rs` holds every model to. Four and sixteen at a time were tried,
+//! and are slower.
 
 mod arithmetic;
 mod geometry;

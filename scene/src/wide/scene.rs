@@ -10,7 +10,7 @@ use microbrdf::shade::{
 
 use super::arithmetic::clamped;
 use super::geometry::Lit;
-use super::lanes::One;
+use super::lanes::{One, Which};
 use super::{Lanes, WIDTH, Wide};
 use crate::host::{HostArithmetic, Native};
 use crate::lamp::AnyLight;
@@ -18,9 +18,10 @@ use crate::model::AnyModel;
 use crate::prepare::{Prepared, PreparedCoat};
 use crate::quality::{AnySamples, AnyShadows};
 
-/// The index of no material, and that of a pixel that is done.
-const NOTHING: u32 = u32::MAX;
-const SHOWN: u32 = NOTHING - 1;
+/// The index of no material, and that of a pixel that is done. (Indices are
+/// chosen beside depths, and so are of their type.)
+const NOTHING: f32 = -1.0;
+const SHOWN: f32 = -2.0;
 
 /// A scene of spheres and planes under distant lights, in single precision: its
 /// rows have the bits of the core's (`tests/tests/wide.rs`), and come several times
@@ -47,7 +48,7 @@ struct Coat {
 struct Seen {
     depths: Lanes,
     normals: Direction<Wide>,
-    materials: [u32; WIDTH],
+    materials: Lanes,
 }
 
 fn all(direction: Direction<One>) -> Direction<Wide> {
@@ -105,15 +106,13 @@ impl WideScene {
         }
         let d = Wide::ray(&self.camera, x, y);
         let Seen {
-            normals,
-            mut materials,
-            ..
+            normals, materials, ..
         } = self.first_hit(&d, x, y);
         let v = Wide::reverse(&d);
-        let first = materials[0];
+        let mut each = materials.array();
         // As a rule they are all of one material.
-        if materials == [first; WIDTH] {
-            let lit = self.lit(first, &normals, &v);
+        if each == [each[0]; WIDTH] {
+            let lit = self.lit(each[0], &normals, &v);
             match pixels.first_chunk_mut() {
                 Some(pixels) => *pixels = lit,
                 None => pixels.copy_from_slice(&lit[..pixels.len()]),
@@ -121,12 +120,12 @@ impl WideScene {
             return;
         }
         for i in 0..pixels.len() {
-            let material = materials[i];
+            let material = each[i];
             if material == SHOWN {
                 continue;
             }
             let lit = self.lit(material, &normals, &v);
-            let rest = pixels.iter_mut().zip(&mut materials).zip(lit).skip(i);
+            let rest = pixels.iter_mut().zip(&mut each).zip(lit).skip(i);
             for ((shown, other), lit) in rest {
                 if *other == material {
                     *shown = lit;
@@ -138,7 +137,7 @@ impl WideScene {
 
     /// The pixels of a material, or of none, with these normals.
     #[inline(always)]
-    fn lit(&self, material: u32, n: &Direction<Wide>, v: &Direction<Wide>) -> [Linear; WIDTH] {
+    fn lit(&self, material: f32, n: &Direction<Wide>, v: &Direction<Wide>) -> [Linear; WIDTH] {
         if material == NOTHING {
             return [self.background; WIDTH];
         }
@@ -153,20 +152,22 @@ impl WideScene {
     /// order.
     fn first_hit(&self, d: &Direction<Wide>, x: usize, y: usize) -> Seen {
         let mut seen = Seen {
-            depths: Lanes::default(),
-            normals: Direction::new(Lanes::default(), Lanes::default(), Lanes::default()),
-            materials: [NOTHING; WIDTH],
+            depths: Lanes::ZERO,
+            normals: Direction::new(Lanes::ZERO, Lanes::ZERO, Lanes::ZERO),
+            materials: Lanes::all(NOTHING),
         };
+        // As numbers they are exact.
+        let columns = Lanes::of(|i| (x + i) as f32);
         for sphere in self.spheres.iter().filter(|sphere| near(sphere, x, y)) {
             if let Some(hit) = sphere.hit(d) {
-                let [first, end] = sphere.extent.columns.map(i32::from);
-                let x = x as i32;
-                seen.meet(&hit, |i| (first <= x + i as i32) & (x + (i as i32) < end));
+                let [first, end] = sphere.extent.columns.map(|c| Lanes::all(c.into()));
+                let within = columns.at_least(first).and(columns.below(end));
+                seen.meet(&hit, within);
             }
         }
         for plane in &self.planes {
             if let Some(hit) = plane.hit(d) {
-                seen.meet(&hit, |_| true);
+                seen.meet(&hit, columns.numbers());
             }
         }
         seen
@@ -197,38 +198,18 @@ impl WideScene {
 }
 
 impl Seen {
-    /// Takes a shape where it is the nearest so far, and `may` be seen.
+    /// Takes a shape where it is the nearest so far, of pixels that `may` see it.
     #[inline(always)]
-    fn meet(
-        &mut self,
-        (depths, normals, material): &(Lanes, Direction<Wide>, u8),
-        may: impl Fn(usize) -> bool,
-    ) {
-        // All bits of a pixel that is taken, none of one that is not.
-        let mut taken = [0; WIDTH];
-        for (i, taken) in taken.iter_mut().enumerate() {
-            let depth = depths.0[i];
-            let first = self.materials[i] == NOTHING;
-            let nearer = (first & !depth.is_nan()) | (depth < self.depths.0[i]);
-            *taken = u32::from(nearer & may(i)).wrapping_neg();
-        }
-        self.depths = choose(&taken, &self.depths, depths);
-        self.normals.x = choose(&taken, &self.normals.x, &normals.x);
-        self.normals.y = choose(&taken, &self.normals.y, &normals.y);
-        self.normals.z = choose(&taken, &self.normals.z, &normals.z);
-        for (known, taken) in self.materials.iter_mut().zip(taken) {
-            *known = (*known & !taken) | (u32::from(*material) & taken);
-        }
+    fn meet(&mut self, (depths, normals, material): &(Lanes, Direction<Wide>, u8), may: Which) {
+        let first = self.materials.below(Lanes::ZERO).and(depths.numbers());
+        let taken = first.or(depths.below(self.depths)).and(may);
+        self.depths = taken.choose(*depths, self.depths);
+        self.normals.x = taken.choose(normals.x, self.normals.x);
+        self.normals.y = taken.choose(normals.y, self.normals.y);
+        self.normals.z = taken.choose(normals.z, self.normals.z);
+        let material = Lanes::all((*material).into());
+        self.materials = taken.choose(material, self.materials);
     }
-}
-
-/// `new` where all bits are set, else `old`.
-#[inline(always)]
-fn choose(taken: &[u32; WIDTH], old: &Lanes, new: &Lanes) -> Lanes {
-    Lanes::of(|i| {
-        let (old, new) = (old.0[i].to_bits(), new.0[i].to_bits());
-        f32::from_bits((old & !taken[i]) | (new & taken[i]))
-    })
 }
 
 /// Whether one of the pixels from column `x` of row `y` on may see a sphere.

@@ -3,29 +3,17 @@
 //! Where a pixel's ray meets nothing the depth is not a number, which is nearer
 //! than none.
 
+use microbrdf::arithmetic::Arithmetic;
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{Camera, Tracing};
 
-use super::lanes::{One, WIDTH, directions, one};
+use super::lanes::{One, directions};
 use super::{Lanes, Wide};
-
-/// The camera as one pixel's ray takes it.
-#[inline(always)]
-fn single(camera: &Camera<Wide>) -> Camera<One> {
-    Camera {
-        width: camera.width,
-        height: camera.height,
-        forward: camera.forward,
-        right: camera.right,
-        up: camera.up,
-    }
-}
 
 /// `None` where no pixel has a number.
 #[inline(always)]
 fn some(lanes: Lanes) -> Option<Lanes> {
-    let none = (0..WIDTH).fold(true, |none, i| none & lanes.0[i].is_nan());
-    (!none).then_some(lanes)
+    lanes.numbers().any().then_some(lanes)
 }
 
 impl Tracing for Wide {
@@ -38,55 +26,59 @@ impl Tracing for Wide {
     /// From column `x` to the right.
     #[inline(always)]
     fn ray(camera: &Camera<Self>, x: usize, y: usize) -> Direction<Self> {
-        let camera = single(camera);
-        directions(|i| One::ray(&camera, x + i, y))
+        let (column, row) = camera.half_steps(x, y);
+        // As numbers in single precision they are exact.
+        let column = Lanes::of(|i| (column + 2 * i as i32) as f32);
+        let row = Lanes::all(row as f32);
+        let [x, y, z] = [0, 1, 2].map(|i| {
+            let [forward, right, up] =
+                [camera.forward, camera.right, camera.up].map(|axis| Lanes::all(axis[i]));
+            forward + (column * right + row * up)
+        });
+        let scale = Lanes::ONE / (x * x + y * y + z * z).root();
+        Direction::new(x * scale, y * scale, z * scale)
     }
     #[inline(always)]
     fn reverse(d: &Direction<Self>) -> Direction<Self> {
-        directions(|i| One::reverse(&one(d, i)))
+        Direction::new(d.x.negative(), d.y.negative(), d.z.negative())
     }
     #[inline(always)]
     fn along(eye: &[Lanes; 3], d: &Direction<Self>) -> Lanes {
-        Lanes::of(|i| One::along(&eye.map(|c| c.0[i]), &one(d, i)))
+        (eye[0] * d.x + eye[1] * d.y + eye[2] * d.z).negative()
     }
     #[inline(always)]
     fn nearest(eye: &[Lanes; 3], d: &Direction<Self>, along: Lanes) -> Option<[Lanes; 3]> {
-        let mut nearest = [Lanes::default(); 3];
-        for i in 0..WIDTH {
-            let eye = eye.map(|c| c.0[i]);
-            let point = One::nearest(&eye, &one(d, i), along.0[i]).unwrap_or([f32::NAN; 3]);
-            for (lanes, c) in nearest.iter_mut().zip(point) {
-                lanes.0[i] = c;
-            }
-        }
-        Some(nearest)
+        Some([
+            eye[0] + along * d.x,
+            eye[1] + along * d.y,
+            eye[2] + along * d.z,
+        ])
     }
     #[inline(always)]
     fn half_chord(nearest: &[Lanes; 3]) -> Option<Lanes> {
-        some(Lanes::of(|i| {
-            One::half_chord(&nearest.map(|c| c.0[i])).unwrap_or(f32::NAN)
-        }))
+        // A root of less than 0 is none.
+        some((Lanes::ONE - Self::square(*nearest)).root())
     }
     #[inline(always)]
     fn entry(nearest: &[Lanes; 3], half: Lanes, d: &Direction<Self>) -> Direction<Self> {
-        directions(|i| One::entry(&nearest.map(|c| c.0[i]), half.0[i], &one(d, i)))
+        let [x, y, z] = *nearest;
+        Direction::new(x - half * d.x, y - half * d.y, z - half * d.z)
     }
     #[inline(always)]
     fn sphere_depth(radius: Lanes, along: Lanes, half: Lanes) -> Option<Lanes> {
-        some(Lanes::of(|i| {
-            One::sphere_depth(radius.0[i], along.0[i], half.0[i]).unwrap_or(f32::NAN)
-        }))
+        let depth = radius * (along - half);
+        some(depth.above(Lanes::ZERO).or_none(depth))
     }
     #[inline(always)]
     fn plane_depth(height: Lanes, normal: &Direction<Self>, d: &Direction<Self>) -> Option<Lanes> {
-        some(Lanes::of(|i| {
-            One::plane_depth(height.0[i], &one(normal, i), &one(d, i)).unwrap_or(f32::NAN)
-        }))
+        let cosine = Self::dot(normal, d);
+        let depth = height / cosine.negative();
+        some(cosine.below(Lanes::ZERO).or_none(depth))
     }
     fn normalised(vector: [i32; 3]) -> Direction<Self> {
         directions(|_| One::normalised(vector))
     }
     fn stored_depth(near: Lanes, range: Lanes, code: u16) -> Lanes {
-        Lanes::of(|i| One::stored_depth(near.0[i], range.0[i], code))
+        near.zip(range, |near, range| One::stored_depth(near, range, code))
     }
 }

@@ -31,16 +31,16 @@ pub const SCENE_BUGS: &[Bug] = &[
     bug(
         "eight pixels: one seen from behind is lit beside another",
         "scene/src/wide/geometry.rs",
-        "if One::lit(n_dot_l.0[i], n_dot_v.0[i])",
-        "if true",
+        "lit(n_dot_l, n_dot_v).or_zero(n_dot_l)",
+        "{ let _ = lit; n_dot_l }",
         &["lib"],
     )
     .of("scene"),
     bug(
         "eight pixels: the last shape is taken, not the nearest",
         "scene/src/wide/scene.rs",
-        "(depth < self.depths.0[i])",
-        "!depth.is_nan()",
+        "first.or(depths.below(self.depths))",
+        "first.or(depths.numbers())",
         &["wide"],
     ),
     bug(
