@@ -60,8 +60,8 @@ mod tests {
     use microbrdf::brdf::{Brdf, Flat, Metallic, MetallicPhong, Mirror, Phong, PhongLobe};
     use microbrdf::geometry::{Direction, World};
 
-    use super::super::lanes::{One, WIDTH, directions};
-    use super::{Lit, Wide};
+    use super::super::lanes::{One, WIDTH, all};
+    use super::{Lanes, Lit, Wide};
     use crate::host::HostModels;
 
     /// Cosines of the light and of the viewer, those of each side beside each other.
@@ -84,8 +84,11 @@ mod tests {
         let n: Direction<One> = Direction::new(0.0, 0.0, 1.0);
         let l = COSINES.map(|[l, _]| along(1.0, l));
         let v = COSINES.map(|[_, v]| along(-1.0, v));
-        let wide_n = directions(|_| n);
-        let [wide_l, wide_v] = [l, v].map(|each| directions(|i| each[i]));
+        let wide_n = all(n);
+        let [wide_l, wide_v] = [l, v].map(|each| {
+            let [x, z] = [each.map(|d| d.x), each.map(|d| d.z)];
+            Direction::new(Lanes::of(|i| x[i]), Lanes::ZERO, Lanes::of(|i| z[i]))
+        });
         let geometry = Lit::new(wide_n, wide_l, wide_v, Wide::dot(&wide_n, &wide_v));
         let found = wide.share(&geometry).r.array();
         let expected: [f32; WIDTH] =

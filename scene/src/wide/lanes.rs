@@ -148,16 +148,8 @@ impl Which {
     }
 }
 
-/// The direction of each pixel, by itself.
-#[inline(always)]
-pub(super) fn directions(step: impl Fn(usize) -> Direction<One>) -> Direction<Wide> {
-    let mut found = [[0.0; WIDTH]; 3];
-    for i in 0..WIDTH {
-        let Direction { x, y, z } = step(i);
-        found[0][i] = x;
-        found[1][i] = y;
-        found[2][i] = z;
-    }
-    let [x, y, z] = found.map(|lanes| Lanes(f32x8::from(lanes)));
-    Direction::new(x, y, z)
+/// The same direction for all.
+pub(super) fn all(direction: Direction<One>) -> Direction<Wide> {
+    let Direction { x, y, z } = direction;
+    Direction::new(Lanes::all(x), Lanes::all(y), Lanes::all(z))
 }

@@ -10,7 +10,7 @@ use microbrdf::shade::{
 
 use super::arithmetic::clamped;
 use super::geometry::Lit;
-use super::lanes::{One, Which};
+use super::lanes::{One, Which, all};
 use super::{Lanes, WIDTH, Wide};
 use crate::host::{HostArithmetic, Native};
 use crate::lamp::AnyLight;
@@ -49,14 +49,6 @@ struct Seen {
     depths: Lanes,
     normals: Direction<Wide>,
     materials: Lanes,
-}
-
-fn all(direction: Direction<One>) -> Direction<Wide> {
-    Direction::new(
-        Lanes::all(direction.x),
-        Lanes::all(direction.y),
-        Lanes::all(direction.z),
-    )
 }
 
 impl WideScene {

@@ -7,7 +7,7 @@ use microbrdf::arithmetic::Arithmetic;
 use microbrdf::geometry::Direction;
 use microbrdf::shade::{Camera, Tracing};
 
-use super::lanes::{One, directions};
+use super::lanes::{One, all};
 use super::{Lanes, Wide};
 
 /// `None` where no pixel has a number.
@@ -76,7 +76,7 @@ impl Tracing for Wide {
         some(cosine.below(Lanes::ZERO).or_none(depth))
     }
     fn normalised(vector: [i32; 3]) -> Direction<Self> {
-        directions(|_| One::normalised(vector))
+        all(One::normalised(vector))
     }
     fn stored_depth(near: Lanes, range: Lanes, code: u16) -> Lanes {
         near.zip(range, |near, range| One::stored_depth(near, range, code))
