@@ -4,8 +4,7 @@
 //! model's formula stands here. Steps that are an operation or two are written for
 //! vectors; the others are the core's own in single precision, once for each pixel.
 //! Every operation rounds as it does in `f32`, so that the bits are the same, which
-//! `tests/tests/wide.rs` holds every model to. Four and sixteen at a time were tried,
-//! and are slower.
+//! `tests/tests/wide.rs` holds every model to.
 
 mod arithmetic;
 mod geometry;

@@ -83,7 +83,7 @@ impl WideScene {
         })
     }
 
-    /// Shades row `y`, counted from the top.
+    /// Shades row `y`, counted from the top; `row` is as long as the camera is wide.
     pub fn shade_row(&self, y: usize, row: &mut [Linear]) {
         for (index, pixels) in row.chunks_mut(WIDTH).enumerate() {
             self.shade(index * WIDTH, y, pixels);
