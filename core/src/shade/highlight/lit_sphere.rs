@@ -120,7 +120,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         let [low, high] = reach.heights;
         let lowest = (low * low) >> UNIT_BITS;
         let mut step_bits = 0;
-        while ((high * high) >> UNIT_BITS) - lowest >= (STEPS as i64 + FINE as i64) << step_bits
+        while ((high * high) >> UNIT_BITS) - lowest >= (STEPS as i64 - 1 + FINE as i64) << step_bits
             // Nor must it wrap round where the lobe is sought.
             || reach.farthest(lowest) >> step_bits >= 1 << (31 - STEP_BITS)
         {
@@ -134,9 +134,9 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             narrowness,
             steepness: (2 * sine * radius) >> 32,
         };
-        let mut cells = [0; STEPS];
+        let mut cells = [BEYOND; STEPS];
         let mut cell = 0;
-        while cell < STEPS {
+        while cell < STEPS - 1 {
             let steps = 2 * (cell as i64 + FINE as i64) + 1;
             cells[cell] = height.word(lowest + (steps << step_bits) / 2);
             cell += 1;
@@ -176,15 +176,12 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     /// The word at z², less the least and the first steps.
     #[inline(always)]
     pub(super) fn at(&self, square: i32) -> u32 {
-        match self.cells.get((square >> STEP_BITS) as usize) {
-            Some(cell) => *cell,
-            None => self.at_edge(square),
-        }
+        self.cells[(square >> STEP_BITS).clamp(0, STEPS as i32 - 1) as usize]
     }
 
-    #[cold]
+    /// The same below the first steps.
     #[inline(never)]
-    fn at_edge(&self, square: i32) -> u32 {
+    pub(super) fn at_edge(&self, square: i32) -> u32 {
         let square = square.wrapping_add((FINE << STEP_BITS) as i32);
         match self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize) {
             Some(cell) => *cell,
@@ -194,7 +191,8 @@ impl<const STEPS: usize> LitSphere<STEPS> {
 }
 
 /// A word whose d is beyond any lobe.
-const BEYOND: u32 = 0x8000;
+const BEYOND: u32 = (-FAR as u32) << 16;
+const FAR: i64 = 22937;
 
 /// What a word is made of.
 struct Height {
@@ -213,10 +211,12 @@ impl Height {
         } else {
             UNIT
         };
-        let doubled = (product(self.tilt, self.middle - z) << self.narrowness)
-            >> (COEFFICIENT_BITS - OFFSET_BITS - 1);
-        let offset = clamp((doubled + 1) >> 1, i16::MIN as i64, i16::MAX as i64);
         let slope = quotient(self.steepness << SLOPE_BITS, if z > 0 { z } else { 1 });
-        (clamp(slope, 0, u16::MAX as i64) as u32) << 16 | (offset as i16 as u16) as u32
+        let slope = -clamp(slope * 511 >> 9, 0, i16::MAX as i64) as i16 as u16 as i64;
+        let offset = (product(self.tilt, self.middle - z) << self.narrowness)
+            >> (COEFFICIENT_BITS - OFFSET_BITS - 16);
+        // The whole word is the nearest there is to d's part.
+        let offset = (clamp(offset, -FAR << 16, FAR << 16) - slope + (1 << 15)) >> 16;
+        (offset as u32) << 16 | slope as u32
     }
 }

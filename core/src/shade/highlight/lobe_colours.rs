@@ -32,7 +32,7 @@ const UNSEEN: u128 = ONE / 1640;
 pub struct LobeColours<const CELLS: usize = 256> {
     colours: [u16; CELLS],
     /// By how much a ratio moves x, in cutoffs; by what it is less than 1.
-    shifts: [u16; RATIOS],
+    shifts: [u32; RATIOS],
     /// The cutoff, 15 fraction bits.
     cutoff: u32,
     /// √(cutoff/2), 32 fraction bits.
@@ -57,7 +57,8 @@ impl<const CELLS: usize> LobeColours<CELLS> {
         let cutoff = cutoff(n, gain);
         let mut colours = [0; CELLS];
         let mut cell = 0;
-        while cell < CELLS {
+        // The last is beyond: black.
+        while cell < CELLS - 1 {
             let x = (cutoff as u128 * (2 * cell as u128 + 1)) >> (CELLS.ilog2() + 1);
             let share = power_of_one_minus(x as u64, n);
             colours[cell] = Linear::from_raw(
@@ -68,9 +69,9 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             .rgb565();
             cell += 1;
         }
-        let mut shifts = [0; RATIOS];
+        let mut shifts = [!REST; RATIOS];
         let mut cell = 0;
-        while cell < RATIOS {
+        while cell < RATIOS - 1 {
             shifts[cell] = shift(cell as u64, n, cutoff);
             cell += 1;
         }
@@ -84,27 +85,26 @@ impl<const CELLS: usize> LobeColours<CELLS> {
 
     /// The code at x, in cutoffs with 24 fraction bits; black beyond.
     #[inline(always)]
-    pub(super) fn at(&self, x: u32) -> u16 {
-        match self.colours.get((x >> Self::CELL_SHIFT) as usize) {
-            Some(code) => *code,
-            None => 0,
-        }
+    pub(super) fn at(&self, x: i32) -> u16 {
+        self.colours[(x >> Self::CELL_SHIFT).clamp(0, CELLS as i32 - 1) as usize]
     }
 
-    /// The same with a ratio of the cosines below 1, less by `less` in units of
-    /// 2⁻²⁰; `x` below 1.
+    /// The x that is as dim as this one with a ratio of the cosines below 1,
+    /// less by `less` in units of 2⁻²⁰ of 512/511.
     #[inline(always)]
-    pub(super) fn dimmed(&self, x: u32, less: u32) -> u16 {
-        let Some(shift) = self.shifts.get((less >> (LESS_BITS - RATIO_BITS)) as usize) else {
-            return 0;
-        };
-        // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − x)(1 − ρ).
-        let x_c = ((x >> (SUM_BITS - SHIFT_BITS)).wrapping_mul(self.cutoff)) >> SHIFT_BITS;
-        let rest = (1u32 << SHIFT_BITS).wrapping_sub(x_c);
-        let shift = u32::from(*shift).wrapping_mul(rest) >> (2 * SHIFT_BITS - SUM_BITS);
-        self.at(x.wrapping_add(shift))
+    pub(super) fn dimmed(&self, x: i32, less: i32) -> i32 {
+        let cell = (less >> (LESS_BITS - RATIO_BITS)).clamp(0, RATIOS as i32 - 1);
+        let word = self.shifts[cell as usize];
+        let x = x.clamp(0, (1 << SUM_BITS) - 1) as u32;
+        // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − ρ) − x(1 − ρ).
+        let taken = (x >> (SUM_BITS - X_BITS)).wrapping_mul(word & REST);
+        x.wrapping_add(word >> (31 - SUM_BITS)).wrapping_sub(taken) as i32
     }
 }
+
+const REST_BITS: u32 = 9;
+const REST: u32 = (1 << REST_BITS) - 1;
+const X_BITS: u32 = SUM_BITS - REST_BITS;
 
 /// x, 64 fraction bits, beyond which `UNSEEN` is more than the light.
 const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
@@ -135,14 +135,19 @@ const fn light(gain: u64, share: u128) -> u32 {
     }
 }
 
-/// (1 − r^(1/n))/x_c for the middle of a step of the ratio r, from 1 down.
-const fn shift(step: u64, n: u64, cutoff: u64) -> u16 {
-    let less = (2 * step + 1) << (63 - RATIO_BITS);
+/// 1 − r^(1/n) for the middle of a step of the ratio r, from 1 down: in the upper
+/// half over the cutoff, in the lower half itself.
+const fn shift(step: u64, n: u64, cutoff: u64) -> u32 {
+    let less = (2 * step + 1) * (ONE / (2 * (RATIOS as u128 - 1))) as u64;
     let y = divide(neg_ln_one_minus(less) << 32, n as u128);
-    let moved = divide((ONE - exp_neg(y)) << SHIFT_BITS, cutoff as u128);
-    if moved < u16::MAX as u128 {
-        moved as u16
+    let moved = ONE - exp_neg(y);
+    let own = round_to(moved, REST_BITS);
+    let own = if own > REST { REST } else { own };
+    let moved = divide(moved << 31, cutoff as u128);
+    let moved = if moved < u32::MAX as u128 {
+        moved as u32
     } else {
-        u16::MAX
-    }
+        u32::MAX
+    };
+    moved & !REST | own
 }

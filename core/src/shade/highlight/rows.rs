@@ -69,16 +69,6 @@ struct Squares {
     bend: i32,
 }
 
-impl Squares {
-    /// This one, and on to the next.
-    fn next(&mut self) -> i32 {
-        let at = self.at;
-        self.at = self.at.wrapping_add(self.change);
-        self.change = self.change.wrapping_add(self.bend);
-        at
-    }
-}
-
 impl Offsets {
     fn plus(self, other: Self) -> Self {
         self.plus_times(other, 1)
@@ -229,41 +219,78 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, place: Place, step: Step, pixels: &mut [u16]) {
-        let mut squares = self.lit.squares(place, step);
-        let mut at = place.offsets;
-        if cfg!(long_multiply) {
-            for pixel in pixels {
-                *pixel = self.pixel(squares.next(), at);
-                at = at.plus(step.offsets);
-            }
-            return;
+        let mut front = Walk {
+            square: self.lit.squares(place, step),
+            at: place.offsets,
+            step: step.offsets,
+        };
+        let mut back = front.after(pixels.len() as i32 - 1);
+        let mut rest = pixels.iter_mut();
+        while front.square.at < 0 {
+            let Some(pixel) = rest.next() else { return };
+            *pixel = self.pixel(self.lit.at_edge(front.square.at), front.at);
+            front.go();
         }
-        // Where there are so few registers that each turn begins with loading
-        // them, two pixels a turn.
+        while back.square.at < 0 {
+            let Some(pixel) = rest.next_back() else { return };
+            *pixel = self.pixel(self.lit.at_edge(back.square.at), back.at);
+            back.back();
+        }
+        let pixels = rest.into_slice();
+        // Two pixels a turn: its state does not fit into the registers.
         let mut pairs = pixels.chunks_exact_mut(2);
         for pair in &mut pairs {
             for pixel in pair {
-                *pixel = self.pixel(squares.next(), at);
-                at = at.plus(step.offsets);
+                *pixel = self.pixel(self.lit.at(front.square.at), front.at);
+                front.go();
             }
         }
         for pixel in pairs.into_remainder() {
-            *pixel = self.pixel(squares.next(), at);
+            *pixel = self.pixel(self.lit.at(front.square.at), front.at);
         }
     }
 
     #[inline(always)]
-    fn pixel(&self, square: i32, at: Offsets) -> u16 {
-        let cell = self.lit.at(square);
-        let d = (at.d >> WAY_BITS).wrapping_add(i32::from(cell as i16));
+    fn pixel(&self, cell: u32, at: Offsets) -> u16 {
+        let d = at.d.wrapping_add(cell as i32) >> WAY_BITS;
         let b = at.b >> WAY_BITS;
-        let x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b)) as u32;
-        if d >= 0 {
-            self.colours.at(x)
-        } else if x >= 1 << SUM_BITS {
-            0
-        } else {
-            (self.colours).dimmed(x, (cell >> 16).wrapping_mul(d.unsigned_abs()))
+        let mut x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b));
+        if d < 0 {
+            x = self.colours.dimmed(x, i32::from(cell as i16).wrapping_mul(d));
         }
+        self.colours.at(x)
+    }
+}
+
+struct Walk {
+    square: Squares,
+    at: Offsets,
+    step: Offsets,
+}
+
+impl Walk {
+    fn after(&self, times: i32) -> Self {
+        let changes = (times.wrapping_mul(times - 1) / 2).wrapping_mul(self.square.bend);
+        Self {
+            square: Squares {
+                at: self.square.at.wrapping_add(self.square.change.wrapping_mul(times)).wrapping_add(changes),
+                change: self.square.change.wrapping_add(self.square.bend.wrapping_mul(times)),
+                bend: self.square.bend,
+            },
+            at: self.at.plus_times(self.step, times),
+            step: self.step,
+        }
+    }
+
+    fn go(&mut self) {
+        self.square.at = self.square.at.wrapping_add(self.square.change);
+        self.square.change = self.square.change.wrapping_add(self.square.bend);
+        self.at = self.at.plus(self.step);
+    }
+
+    fn back(&mut self) {
+        self.square.change = self.square.change.wrapping_sub(self.square.bend);
+        self.square.at = self.square.at.wrapping_sub(self.square.change);
+        self.at = self.at.plus_times(self.step, -1);
     }
 }
