@@ -1,20 +1,17 @@
 //! A light's geometry on a sphere that is seen from afar.
 
 use super::angle::Angle;
-use super::lobe_colours::LobeColours;
+use super::lobe_colours::{LobeColours, in_ratios};
 use super::reach::Reach;
-use super::wide::{UNIT, UNIT_BITS, clamp, product, quotient, root};
+use super::wide::{UNIT, UNIT_BITS, product, quotient, root};
+use super::word::{OFFSET_BITS, SLOPE_BITS, WAY_BITS, Word};
 use crate::arithmetic::Q31;
 use crate::geometry::Direction;
 
-/// Fraction bits of an offset over the cutoff's.
-pub(super) const OFFSET_BITS: u32 = 12;
 /// Fraction bits of the coefficients.
 pub(super) const COEFFICIENT_BITS: u32 = 28;
 /// cosθ below which the highlight is a hair at the sphere's edge.
 const DARK: i64 = UNIT >> 6;
-/// Fraction bits of 2sinθ · cutoff/z.
-pub(super) const SLOPE_BITS: u32 = 8;
 /// Fraction bits of a step of z².
 pub(super) const STEP_BITS: u32 = 18;
 /// The first so many steps of z² are parted, each in `1 << FINE_BITS`.
@@ -77,11 +74,10 @@ const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LitSphere<const STEPS: usize = 256> {
-    /// Over steps of z²: in the lower half d's part along z, 12 fraction bits of
-    /// the cutoff's; in the upper 2sinθ · cutoff/z.
-    cells: [u32; STEPS],
-    /// The same over parts of the first steps: z falls steeply at the edge.
-    edge: [u32; FINE_CELLS],
+    /// Over steps of z², from after the first ones to where the lobe may reach.
+    cells: [Word; STEPS],
+    /// Over parts of the first steps: z falls steeply at the edge.
+    edge: [Word; FINE_CELLS],
     /// cosθ times the highlight's azimuth, over the cutoff's mantissa.
     pub(super) azimuth: [i32; 2],
     /// What is taken from d, in the same unit.
@@ -105,6 +101,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         colours: &LobeColours<COLOURS>,
         l: Direction<Q31>,
     ) -> Self {
+        const { assert!(STEPS.is_power_of_two()) }
         let angle = Angle::new([
             l.x.to_bits() as i64,
             l.y.to_bits() as i64,
@@ -119,10 +116,11 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         let reach = Reach::new(&angle, radius);
         let [low, high] = reach.heights;
         let lowest = (low * low) >> UNIT_BITS;
+        let [below, above] = reach.squares(lowest);
         let mut step_bits = 0;
-        while ((high * high) >> UNIT_BITS) - lowest >= (STEPS as i64 - 1 + FINE as i64) << step_bits
-            // Nor must it wrap round where the lobe is sought.
-            || reach.farthest(lowest) >> step_bits >= 1 << (31 - STEP_BITS)
+        // Nor must it wrap round where the lobe is sought.
+        while above >> step_bits >= STEPS as i64 + FINE as i64
+            || below >> step_bits >= 1 << (31 - STEP_BITS)
         {
             step_bits += 1;
         }
@@ -134,14 +132,14 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             narrowness,
             steepness: (2 * sine * radius) >> 32,
         };
-        let mut cells = [BEYOND; STEPS];
+        let mut cells = [Word::BEYOND; STEPS];
         let mut cell = 0;
-        while cell < STEPS - 1 {
+        while cell < STEPS {
             let steps = 2 * (cell as i64 + FINE as i64) + 1;
             cells[cell] = height.word(lowest + (steps << step_bits) / 2);
             cell += 1;
         }
-        let mut edge = [0; FINE_CELLS];
+        let mut edge = [Word::BEYOND; FINE_CELLS];
         let mut cell = 0;
         while cell < FINE_CELLS {
             let part = ((2 * cell as i64 + 1) << step_bits) >> FINE_BITS;
@@ -173,26 +171,23 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         }
     }
 
-    /// The word at z², less the least and the first steps.
+    /// The word at z² in steps, less the first ones; where the lobe may reach
+    /// it is none beyond the last.
     #[inline(always)]
-    pub(super) fn at(&self, square: i32) -> u32 {
-        self.cells[(square >> STEP_BITS).clamp(0, STEPS as i32 - 1) as usize]
+    pub(super) const fn at(&self, square: i32) -> Word {
+        self.cells[(square >> STEP_BITS) as usize % STEPS]
     }
 
-    /// The same below the first steps.
+    /// The same where that is negative.
     #[inline(never)]
-    pub(super) fn at_edge(&self, square: i32) -> u32 {
+    pub(super) fn at_edge(&self, square: i32) -> Word {
         let square = square.wrapping_add((FINE << STEP_BITS) as i32);
         match self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize) {
-            Some(cell) => *cell,
-            None => BEYOND,
+            Some(word) => *word,
+            None => Word::BEYOND,
         }
     }
 }
-
-/// A word whose d is beyond any lobe.
-const BEYOND: u32 = (-FAR as u32) << 16;
-const FAR: i64 = 22937;
 
 /// What a word is made of.
 struct Height {
@@ -205,18 +200,15 @@ struct Height {
 }
 
 impl Height {
-    const fn word(&self, square: i64) -> u32 {
+    const fn word(&self, square: i64) -> Word {
         let z = if square < UNIT {
             root(square << UNIT_BITS)
         } else {
             UNIT
         };
+        const DROP: u32 = COEFFICIENT_BITS - OFFSET_BITS - WAY_BITS;
+        let offset = (product(self.tilt, self.middle - z) << self.narrowness) >> DROP;
         let slope = quotient(self.steepness << SLOPE_BITS, if z > 0 { z } else { 1 });
-        let slope = -clamp(slope * 511 >> 9, 0, i16::MAX as i64) as i16 as u16 as i64;
-        let offset = (product(self.tilt, self.middle - z) << self.narrowness)
-            >> (COEFFICIENT_BITS - OFFSET_BITS - 16);
-        // The whole word is the nearest there is to d's part.
-        let offset = (clamp(offset, -FAR << 16, FAR << 16) - slope + (1 << 15)) >> 16;
-        (offset as u32) << 16 | slope as u32
+        Word::new(offset, in_ratios(slope))
     }
 }

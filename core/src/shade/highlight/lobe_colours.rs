@@ -15,8 +15,13 @@ pub(super) const LESS_BITS: u32 = 20;
 /// Steps of the ratio of two cosines.
 const RATIO_BITS: u32 = 9;
 const RATIOS: usize = 1 << RATIO_BITS;
-/// Fraction bits of a shift.
-const SHIFT_BITS: u32 = 15;
+/// Fraction bits of a shift over the cutoff.
+const SHIFT_BITS: u32 = 31;
+/// Fraction bits of a shift by itself, and where a word has it.
+const OWN_BITS: u32 = 9;
+const OWN: u32 = (1 << OWN_BITS) - 1;
+/// Fraction bits of x that are multiplied with it.
+const X_BITS: u32 = SUM_BITS - OWN_BITS;
 /// Light, 64 fraction bits, that no channel of RGB565 shows: half of the
 /// least level of green.
 const UNSEEN: u128 = ONE / 1640;
@@ -26,15 +31,14 @@ const UNSEEN: u128 = ONE / 1640;
 ///
 /// Where cosΘL is less than cosΘV the ratio of the two dims the lobe as much as
 /// a greater x would, by a second table: x with a ratio r is 1 − (1 − x)·r^(1/n).
-/// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 1032 bytes, the same in
+/// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 2052 bytes, the same in
 /// flash and filled at start-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LobeColours<const CELLS: usize = 256> {
     colours: [u16; CELLS],
-    /// By how much a ratio moves x, in cutoffs; by what it is less than 1.
+    /// By how much a ratio moves x, by what it is less than 1: [`shift`]. The
+    /// last is beyond.
     shifts: [u32; RATIOS],
-    /// The cutoff, 15 fraction bits.
-    cutoff: u32,
     /// √(cutoff/2), 32 fraction bits.
     pub(super) radius: u32,
 }
@@ -57,7 +61,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
         let cutoff = cutoff(n, gain);
         let mut colours = [0; CELLS];
         let mut cell = 0;
-        // The last is beyond: black.
+        // The last one is black, for what is beyond.
         while cell < CELLS - 1 {
             let x = (cutoff as u128 * (2 * cell as u128 + 1)) >> (CELLS.ilog2() + 1);
             let share = power_of_one_minus(x as u64, n);
@@ -69,7 +73,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             .rgb565();
             cell += 1;
         }
-        let mut shifts = [!REST; RATIOS];
+        let mut shifts = [!OWN; RATIOS];
         let mut cell = 0;
         while cell < RATIOS - 1 {
             shifts[cell] = shift(cell as u64, n, cutoff);
@@ -78,7 +82,6 @@ impl<const CELLS: usize> LobeColours<CELLS> {
         Ok(Self {
             colours,
             shifts,
-            cutoff: round_to(cutoff as u128, SHIFT_BITS),
             radius: (cutoff >> 1).isqrt() as u32,
         })
     }
@@ -86,25 +89,39 @@ impl<const CELLS: usize> LobeColours<CELLS> {
     /// The code at x, in cutoffs with 24 fraction bits; black beyond.
     #[inline(always)]
     pub(super) fn at(&self, x: i32) -> u16 {
-        self.colours[(x >> Self::CELL_SHIFT).clamp(0, CELLS as i32 - 1) as usize]
+        self.colours[saturated::<CELLS>(x >> Self::CELL_SHIFT)]
     }
 
-    /// The x that is as dim as this one with a ratio of the cosines below 1,
-    /// less by `less` in units of 2⁻²⁰ of 512/511.
+    /// The x that is as dim as this one with a ratio of the cosines below 1, less
+    /// by `less` as [`in_ratios`] has it.
     #[inline(always)]
     pub(super) fn dimmed(&self, x: i32, less: i32) -> i32 {
-        let cell = (less >> (LESS_BITS - RATIO_BITS)).clamp(0, RATIOS as i32 - 1);
-        let word = self.shifts[cell as usize];
-        let x = x.clamp(0, (1 << SUM_BITS) - 1) as u32;
-        // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − ρ) − x(1 − ρ).
-        let taken = (x >> (SUM_BITS - X_BITS)).wrapping_mul(word & REST);
-        x.wrapping_add(word >> (31 - SUM_BITS)).wrapping_sub(taken) as i32
+        let word = self.shifts[saturated::<RATIOS>(less >> (LESS_BITS - RATIO_BITS))];
+        // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − ρ) − x(1 − ρ), at least 1
+        // where x is. What the first of them adds of the other is too little to see.
+        let taken = (x as u32 >> (SUM_BITS - X_BITS)).wrapping_mul(word & OWN);
+        let moved = (x as u32).wrapping_add(word >> (SHIFT_BITS - SUM_BITS));
+        moved.wrapping_sub(taken) as i32
     }
 }
 
-const REST_BITS: u32 = 9;
-const REST: u32 = (1 << REST_BITS) - 1;
-const X_BITS: u32 = SUM_BITS - REST_BITS;
+/// What a ratio is less than 1, so that nothing is left of it at the last cell.
+pub(super) const fn in_ratios(less: i64) -> i64 {
+    less * (RATIOS as i64 - 1) >> RATIO_BITS
+}
+
+/// A cell's index; the last one for what is beyond.
+#[inline(always)]
+const fn saturated<const CELLS: usize>(index: i32) -> usize {
+    // One instruction where there is one, else two of a decision.
+    if cfg!(long_multiply) {
+        let last = CELLS as i32 - 1;
+        (if index < 0 { 0 } else if index > last { last } else { index }) as usize
+    } else {
+        let index = index as usize;
+        if index < CELLS { index } else { CELLS - 1 }
+    }
+}
 
 /// x, 64 fraction bits, beyond which `UNSEEN` is more than the light.
 const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
@@ -135,19 +152,18 @@ const fn light(gain: u64, share: u128) -> u32 {
     }
 }
 
-/// 1 − r^(1/n) for the middle of a step of the ratio r, from 1 down: in the upper
-/// half over the cutoff, in the lower half itself.
+/// 1 − ρ, ρ = r^(1/n), for the middle of a step of the ratio r, from 1 down: over
+/// the cutoff with 31 fraction bits, and in the lowest of these itself.
 const fn shift(step: u64, n: u64, cutoff: u64) -> u32 {
-    let less = (2 * step + 1) * (ONE / (2 * (RATIOS as u128 - 1))) as u64;
-    let y = divide(neg_ln_one_minus(less) << 32, n as u128);
+    const HALF_STEP: u64 = (ONE / (2 * (RATIOS as u128 - 1))) as u64;
+    let y = divide(neg_ln_one_minus((2 * step + 1) * HALF_STEP) << 32, n as u128);
     let moved = ONE - exp_neg(y);
-    let own = round_to(moved, REST_BITS);
-    let own = if own > REST { REST } else { own };
-    let moved = divide(moved << 31, cutoff as u128);
-    let moved = if moved < u32::MAX as u128 {
-        moved as u32
+    let own = round_to(moved, OWN_BITS);
+    let shift = divide(moved << SHIFT_BITS, cutoff as u128);
+    let shift = if shift < u32::MAX as u128 {
+        shift as u32
     } else {
         u32::MAX
     };
-    moved & !REST | own
+    (shift & !OWN) | if own < OWN { own } else { OWN }
 }

@@ -7,6 +7,7 @@ mod lobe_colours;
 mod reach;
 mod rows;
 mod wide;
+mod word;
 
 pub use lit_sphere::LitSphere;
 pub use lobe_colours::LobeColours;

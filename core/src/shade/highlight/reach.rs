@@ -3,12 +3,20 @@
 use super::angle::Angle;
 use super::wide::{UNIT, UNIT_BITS, clamp, product, quotient, root};
 
+/// How far, of offsets over the cutoff's mantissa, pixels may be beyond the ends
+/// of a lobe and still be taken for reached; as much again is for what is rounded
+/// from one to the next.
+pub(super) const SLACK: i64 = UNIT >> 16;
+
 /// Where a lobe is seen, 30 fraction bits.
 pub(super) struct Reach {
     pub(super) heights: [i64; 2],
     pub(super) along: [i64; 2],
     /// Across the azimuth, at most.
     across: i64,
+    /// How much farther pixels may be along it that are taken for those that the
+    /// lobe may reach.
+    slack: i64,
 }
 
 impl Reach {
@@ -37,12 +45,13 @@ impl Reach {
                 clamp(sine + aside, -UNIT, UNIT),
             ],
             across: if across < 2 * UNIT { across } else { 2 * UNIT },
+            slack: clamp(quotient(2 * SLACK << UNIT_BITS, cosine), 0, UNIT),
         }
     }
 
-    /// How far z² is from `lowest` at most, for points within the lobe's reach.
-    pub(super) const fn farthest(&self, lowest: i64) -> i64 {
-        let [from, to] = self.along;
+    /// How far z² may be below and above `lowest` where the lobe may reach.
+    pub(super) const fn squares(&self, lowest: i64) -> [i64; 2] {
+        let [from, to] = [self.along[0] - self.slack, self.along[1] + self.slack];
         let nearest = if from > 0 {
             from
         } else if to < 0 {
@@ -51,8 +60,8 @@ impl Reach {
             0
         };
         let greatest = if to > -from { to } else { -from };
-        let above = UNIT - product(nearest, nearest) - lowest;
-        let below = lowest + product(greatest, greatest) + product(self.across, self.across) - UNIT;
-        if above > below { above } else { below }
+        let least = UNIT - product(greatest, greatest) - product(self.across, self.across);
+        let most = UNIT - product(nearest, nearest);
+        [lowest - least, most - lowest]
     }
 }

@@ -2,18 +2,15 @@
 
 use fixed::types::I2F30;
 
-use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, OFFSET_BITS, SLOPE_BITS, STEP_BITS};
-use super::lobe_colours::{LESS_BITS, LobeColours, SUM_BITS};
+use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, STEP_BITS};
+use super::lobe_colours::{LESS_BITS, LobeColours};
 use super::wide::UNIT_BITS;
+use super::word::{OFFSET_BITS, SLOPE_BITS, WAY_BITS, Word};
 
-/// Fraction bits of an offset on its way along a row.
-const WAY_BITS: u32 = 16;
+/// Fraction bits of a step of z² from row to row: those of a step, and a word.
+const SQUARE_BITS: u32 = STEP_BITS + 32;
 /// Pixels over which z² goes on in 32 bits; its last bits would count beyond.
 const CHUNK: i32 = 128;
-/// Fraction bits of an offset where the lobe's ends are sought.
-const COARSE_BITS: u32 = 26;
-/// How much farther they are sought, for what is rounded on the way.
-const SLACK: i32 = 1 << (COARSE_BITS - 16);
 
 const _: () = assert!(OFFSET_BITS + SLOPE_BITS == LESS_BITS);
 
@@ -48,7 +45,7 @@ struct Place {
     /// 28 fraction bits of the cutoff's, modulo 2³²: within the lobe it is what
     /// it says.
     offsets: Offsets,
-    /// z² above where steps begin, 60 fraction bits.
+    /// z² above where steps begin, in steps with 50 fraction bits, modulo 2⁶⁴.
     square: i64,
 }
 
@@ -61,12 +58,57 @@ struct Step {
     bend: i64,
 }
 
-/// Place and step of z² in steps, modulo 2³².
+/// A pixel of a row, and the way to the next.
 #[derive(Clone, Copy, Debug)]
-struct Squares {
-    at: i32,
+struct Walk {
+    offsets: Offsets,
+    /// z² in steps, 18 fraction bits, modulo 2³².
+    square: i32,
+    /// From this pixel to the next.
+    step: Offsets,
     change: i32,
+    /// By how much `change` changes.
     bend: i32,
+}
+
+impl Walk {
+    fn new(place: Place, step: Step) -> Self {
+        Self {
+            offsets: place.offsets,
+            square: upper(place.square),
+            step: step.offsets,
+            change: upper(step.square),
+            bend: upper(step.bend),
+        }
+    }
+
+    /// As many pixels on; `times` is at most [`CHUNK`].
+    fn after(self, times: i32) -> Self {
+        let changes = self.bend.wrapping_mul(times * (times - 1) / 2);
+        Self {
+            offsets: self.offsets.plus_times(self.step, times),
+            square: (self.square.wrapping_add(self.change.wrapping_mul(times)))
+                .wrapping_add(changes),
+            change: self.change.wrapping_add(self.bend.wrapping_mul(times)),
+            ..self
+        }
+    }
+
+    fn forwards(&mut self) {
+        self.offsets = self.offsets.plus(self.step);
+        self.square = self.square.wrapping_add(self.change);
+        self.change = self.change.wrapping_add(self.bend);
+    }
+
+    fn backwards(&mut self) {
+        self.change = self.change.wrapping_sub(self.bend);
+        self.square = self.square.wrapping_sub(self.change);
+        self.offsets = self.offsets.plus_times(self.step, -1);
+    }
+}
+
+const fn upper(double: i64) -> i32 {
+    (double >> 32) as i32
 }
 
 impl Offsets {
@@ -124,14 +166,15 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             coarse: self.coarse(x, y),
             place: Place {
                 offsets: self.fine(x, y, height),
-                square: zero
-                    .wrapping_sub(x.wrapping_mul(x))
-                    .wrapping_sub(y.wrapping_mul(y)),
+                square: self.in_steps(
+                    zero.wrapping_sub(x.wrapping_mul(x))
+                        .wrapping_sub(y.wrapping_mul(y)),
+                ),
             },
             coarse_across: self.coarse(across, 0),
-            across: step_of(self.fine(across, 0, 0), x, across),
+            across: self.step_of(self.fine(across, 0, 0), x, across),
             coarse_down: self.coarse(0, down),
-            down: step_of(self.fine(0, down, 0), y, down),
+            down: self.step_of(self.fine(0, down, 0), y, down),
         }
     }
 
@@ -142,8 +185,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     }
 
     fn coarse(&self, x: i64, y: i64) -> Offsets {
-        const DROP: u32 = UNIT_BITS + COEFFICIENT_BITS - COARSE_BITS;
-        let [d, b] = self.products(x, y).map(|offset| (offset >> DROP) as i32);
+        let [d, b] = (self.products(x, y)).map(|offset| (offset >> UNIT_BITS) as i32);
         Offsets { d, b }
     }
 
@@ -156,31 +198,29 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         }
     }
 
-    fn squares(&self, place: Place, step: Step) -> Squares {
-        // From 60 fraction bits.
-        let drop = UNIT_BITS - STEP_BITS + self.step_bits;
-        Squares {
-            at: (place.square >> drop) as i32,
-            change: (step.square >> drop) as i32,
-            bend: (step.bend >> drop) as i32,
+    /// From 60 fraction bits.
+    const fn in_steps(&self, square: i64) -> i64 {
+        const UP: u32 = SQUARE_BITS - UNIT_BITS;
+        if self.step_bits <= UP {
+            square << (UP - self.step_bits)
+        } else {
+            square >> (self.step_bits - UP)
+        }
+    }
+
+    fn step_of(&self, offsets: Offsets, from: i64, step: i64) -> Step {
+        Step {
+            offsets,
+            square: self.in_steps((2 * from + step).wrapping_mul(-step)),
+            bend: self.in_steps((-2 * step).wrapping_mul(step)),
         }
     }
 
     /// Whether the lobe may reach a point.
     fn reaches(&self, at: Offsets) -> bool {
-        const DROP: u32 = COEFFICIENT_BITS - COARSE_BITS;
-        let [from, to] = self.along.map(|end| end >> DROP);
-        at.d >= from - SLACK
-            && at.d <= to + SLACK
-            && at.b.wrapping_abs() <= (self.across >> DROP) + SLACK
-    }
-}
-
-fn step_of(offsets: Offsets, from: i64, step: i64) -> Step {
-    Step {
-        offsets,
-        square: (2 * from + step).wrapping_mul(-step),
-        bend: (-2 * step).wrapping_mul(step),
+        const SLACK: i32 = (super::reach::SLACK >> (UNIT_BITS - COEFFICIENT_BITS)) as i32;
+        let [from, to] = self.along;
+        at.d >= from - SLACK && at.d <= to + SLACK && at.b.wrapping_abs() <= self.across + SLACK
     }
 }
 
@@ -219,78 +259,42 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, place: Place, step: Step, pixels: &mut [u16]) {
-        let mut front = Walk {
-            square: self.lit.squares(place, step),
-            at: place.offsets,
-            step: step.offsets,
-        };
-        let mut back = front.after(pixels.len() as i32 - 1);
+        let mut first = Walk::new(place, step);
+        let mut last = first.after(pixels.len() as i32 - 1);
         let mut rest = pixels.iter_mut();
-        while front.square.at < 0 {
+        while first.square < 0 {
             let Some(pixel) = rest.next() else { return };
-            *pixel = self.pixel(self.lit.at_edge(front.square.at), front.at);
-            front.go();
+            *pixel = self.pixel(first.offsets, self.lit.at_edge(first.square));
+            first.forwards();
         }
-        while back.square.at < 0 {
+        while last.square < 0 {
             let Some(pixel) = rest.next_back() else { return };
-            *pixel = self.pixel(self.lit.at_edge(back.square.at), back.at);
-            back.back();
+            *pixel = self.pixel(last.offsets, self.lit.at_edge(last.square));
+            last.backwards();
         }
         let pixels = rest.into_slice();
-        // Two pixels a turn: its state does not fit into the registers.
+        // Two pixels a turn: no core has registers for all of the loop's state.
         let mut pairs = pixels.chunks_exact_mut(2);
         for pair in &mut pairs {
             for pixel in pair {
-                *pixel = self.pixel(self.lit.at(front.square.at), front.at);
-                front.go();
+                *pixel = self.pixel(first.offsets, self.lit.at(first.square));
+                first.forwards();
             }
         }
         for pixel in pairs.into_remainder() {
-            *pixel = self.pixel(self.lit.at(front.square.at), front.at);
+            *pixel = self.pixel(first.offsets, self.lit.at(first.square));
         }
     }
 
     #[inline(always)]
-    fn pixel(&self, cell: u32, at: Offsets) -> u16 {
-        let d = at.d.wrapping_add(cell as i32) >> WAY_BITS;
+    fn pixel(&self, at: Offsets, word: Word) -> u16 {
+        // The word's lower half is less than a step of it, and counted there.
+        let d = at.d.wrapping_add(word.offset()) >> WAY_BITS;
         let b = at.b >> WAY_BITS;
         let mut x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b));
         if d < 0 {
-            x = self.colours.dimmed(x, i32::from(cell as i16).wrapping_mul(d));
+            x = self.colours.dimmed(x, word.slope().wrapping_mul(d));
         }
         self.colours.at(x)
-    }
-}
-
-struct Walk {
-    square: Squares,
-    at: Offsets,
-    step: Offsets,
-}
-
-impl Walk {
-    fn after(&self, times: i32) -> Self {
-        let changes = (times.wrapping_mul(times - 1) / 2).wrapping_mul(self.square.bend);
-        Self {
-            square: Squares {
-                at: self.square.at.wrapping_add(self.square.change.wrapping_mul(times)).wrapping_add(changes),
-                change: self.square.change.wrapping_add(self.square.bend.wrapping_mul(times)),
-                bend: self.square.bend,
-            },
-            at: self.at.plus_times(self.step, times),
-            step: self.step,
-        }
-    }
-
-    fn go(&mut self) {
-        self.square.at = self.square.at.wrapping_add(self.square.change);
-        self.square.change = self.square.change.wrapping_add(self.square.bend);
-        self.at = self.at.plus(self.step);
-    }
-
-    fn back(&mut self) {
-        self.square.change = self.square.change.wrapping_sub(self.square.bend);
-        self.square.at = self.square.at.wrapping_sub(self.square.change);
-        self.at = self.at.plus_times(self.step, -1);
     }
 }
