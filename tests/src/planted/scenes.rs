@@ -67,10 +67,32 @@ pub const SCENE_BUGS: &[Bug] = &[
     bug(
         "a ratio moves x as if the lobe had not fallen",
         "core/src/shade/highlight/lobe_colours.rs",
-        "let rest = (1u32 << SHIFT_BITS).wrapping_sub(x_c);",
-        "let rest = 1u32 << SHIFT_BITS; let _ = x_c;",
+        "moved.wrapping_sub(taken) as i32",
+        "{ let _ = taken; moved as i32 }",
         &["highlight"],
     ),
+    bug(
+        "a highlight's steps of z² end before the lobe does",
+        "core/src/shade/highlight/lit_sphere.rs",
+        "while above >> step_bits >= STEPS as i64 + FINE as i64",
+        "while above >> step_bits >= 2 * STEPS as i64 + FINE as i64",
+        &["highlight"],
+    ),
+    bug(
+        "from the end of a highlight's row z² goes forwards",
+        "core/src/shade/highlight/rows.rs",
+        "self.square = self.square.wrapping_sub(self.change);",
+        "self.square = self.square.wrapping_add(self.change);",
+        &["highlight"],
+    ),
+    bug(
+        "a word's slope is not taken off its offset",
+        "core/src/shade/highlight/word.rs",
+        "let upper = (offset - lower + (1 << (WAY_BITS - 1))) >> WAY_BITS;",
+        "let upper = (offset + (1 << (WAY_BITS - 1))) >> WAY_BITS;",
+        &["lib"],
+    )
+    .of("core"),
     bug(
         "a ceramic's glaze is a lobe's",
         "scene/src/prepare.rs",

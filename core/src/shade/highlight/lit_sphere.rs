@@ -21,7 +21,7 @@ const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 
 /// A unit sphere, seen along −z from afar, under one distant light: what
 /// [`Self::rows`] needs of the light and of the lobe's width, 4 · `STEPS` + 548
-/// bytes.
+/// bytes; `STEPS` is a power of two.
 ///
 /// With θ half of the angle between L and V, and the normal's components d
 /// along L − V and b along V × L, 1 − R·V = 2d² + 2cos²θ·b²: a sum of squares,

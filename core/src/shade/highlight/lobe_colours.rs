@@ -98,7 +98,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
     pub(super) fn dimmed(&self, x: i32, less: i32) -> i32 {
         let word = self.shifts[saturated::<RATIOS>(less >> (LESS_BITS - RATIO_BITS))];
         // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − ρ) − x(1 − ρ), at least 1
-        // where x is. What the first of them adds of the other is too little to see.
+        // where x is. A word's last bits, which are not the sum's, add 3 · 2⁻²⁴.
         let taken = (x as u32 >> (SUM_BITS - X_BITS)).wrapping_mul(word & OWN);
         let moved = (x as u32).wrapping_add(word >> (SHIFT_BITS - SUM_BITS));
         moved.wrapping_sub(taken) as i32
@@ -110,16 +110,15 @@ pub(super) const fn in_ratios(less: i64) -> i64 {
     less * (RATIOS as i64 - 1) >> RATIO_BITS
 }
 
-/// A cell's index; the last one for what is beyond.
+/// The index of a cell, the last one for what is beyond; for pixels that are
+/// within the picture it is not negative.
 #[inline(always)]
-const fn saturated<const CELLS: usize>(index: i32) -> usize {
-    // One instruction where there is one, else two of a decision.
+fn saturated<const CELLS: usize>(index: i32) -> usize {
     if cfg!(long_multiply) {
-        let last = CELLS as i32 - 1;
-        (if index < 0 { 0 } else if index > last { last } else { index }) as usize
+        // In one instruction.
+        index.clamp(0, CELLS as i32 - 1) as usize
     } else {
-        let index = index as usize;
-        if index < CELLS { index } else { CELLS - 1 }
+        (index as usize).min(CELLS - 1)
     }
 }
 
@@ -156,7 +155,10 @@ const fn light(gain: u64, share: u128) -> u32 {
 /// the cutoff with 31 fraction bits, and in the lowest of these itself.
 const fn shift(step: u64, n: u64, cutoff: u64) -> u32 {
     const HALF_STEP: u64 = (ONE / (2 * (RATIOS as u128 - 1))) as u64;
-    let y = divide(neg_ln_one_minus((2 * step + 1) * HALF_STEP) << 32, n as u128);
+    let y = divide(
+        neg_ln_one_minus((2 * step + 1) * HALF_STEP) << 32,
+        n as u128,
+    );
     let moved = ONE - exp_neg(y);
     let own = round_to(moved, OWN_BITS);
     let shift = divide(moved << SHIFT_BITS, cutoff as u128);

@@ -95,8 +95,11 @@ impl Walk {
     }
 
     fn forwards(&mut self) {
-        self.offsets = self.offsets.plus(self.step);
+        // In the order in which they are wanted next: it decides what is kept in
+        // registers.
+        self.offsets.d = self.offsets.d.wrapping_add(self.step.d);
         self.square = self.square.wrapping_add(self.change);
+        self.offsets.b = self.offsets.b.wrapping_add(self.step.b);
         self.change = self.change.wrapping_add(self.bend);
     }
 
@@ -268,7 +271,9 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
             first.forwards();
         }
         while last.square < 0 {
-            let Some(pixel) = rest.next_back() else { return };
+            let Some(pixel) = rest.next_back() else {
+                return;
+            };
             *pixel = self.pixel(last.offsets, self.lit.at_edge(last.square));
             last.backwards();
         }
