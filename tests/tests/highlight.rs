@@ -229,6 +229,15 @@ fn at_most_one_level_off_in_parts_of_large_spheres() {
     assert!(lit > 1_000_000, "{lit}");
 }
 
+/// From one end of a long row to the other what is rounded adds up.
+#[test]
+fn at_most_one_level_off_in_a_picture_of_3000_pixels() {
+    let found = worst_over::<512, 512>(1e5, 1.0, &ANGLES[4..5], |_, _| {
+        vec![Picture::about([0.0, 0.0], 1.0 / 1500.0, 3000)]
+    });
+    assert!(found.0 <= 1.0 && found.1 > 100, "{found:?}");
+}
+
 /// Half of the tables, at full light.
 #[test]
 fn small_tables_are_enough_from_20_on() {

@@ -114,13 +114,13 @@ const GOALS: [Goal; 7] = [
         parts: &[],
         why: "From a pixel to the next there are sums alone: of two offsets from the mirror direction, of z² and \
               of its difference. A pixel takes then one look-up for z, two squares and one look-up for the \
-              colour; where N·L < N·V one more for their ratio, with three products. What is left over the goal is \
-              for the most part where values are kept: a turn of the loop has nine that change or are added, two ends \
-              and three tables, and the compiler, which keeps r7 for frames, loads some of them from the stack \
-              again in each turn (`ldr …, [sp, …]` below), on Cortex-M0+ most. Two loops instead of one, a function of its own for the \
-              ratio, and both offsets in one word (which the compiler takes apart again) were tried \
-              and are slower on M3 and M4F; two pixels a turn are quicker on M0+ alone, and are done there. A pixel by itself, without its \
-              neighbours, is `q15_sphere_20`.",
+              colour; where N·L < N·V one more for their ratio, with two products. What is over the goal is \
+              where values are kept: a turn of the loop has five that change, four that are added, an end and three \
+              tables. In Thumb code of ARMv6-M the compiler gives them r0 to r6; r7 it keeps for frames, and r8 to r12, from \
+              which a sum could be taken in a cycle, it leaves alone. What finds no room is loaded from the stack, \
+              and stored there, in each turn (`ldr …, [sp, …]` below). Four pixels a turn instead of two, \
+              two look-ups at once and a function of its own for the loop were tried and are not quicker. \
+              A pixel by itself, without its neighbours, is `q15_sphere_20`.",
     },
 ];
 

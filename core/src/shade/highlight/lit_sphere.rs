@@ -37,7 +37,7 @@ const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 /// the peak of n = 500 under lights from beyond 86°. Under lights from farther
 /// behind than 115° they are up to seven levels off, beyond 178° nothing is lit, and
 /// pixels whose centre is within 2.5e-4 radii of the sphere's edge have no bound.
-/// Tested in `tests/tests/highlight.rs`, in pictures of up to 640 by 640 pixels, and
+/// Tested in `tests/tests/highlight.rs`, in pictures of up to 3000 by 3000 pixels, and
 /// in parts of spheres whose radius is up to 8192 pixels.
 ///
 /// ```
