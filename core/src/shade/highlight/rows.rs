@@ -202,6 +202,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     }
 
     /// From 60 fraction bits.
+    #[inline(never)]
     const fn in_steps(&self, square: i64) -> i64 {
         const UP: u32 = SQUARE_BITS - UNIT_BITS;
         if self.step_bits <= UP {
