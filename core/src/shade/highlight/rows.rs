@@ -72,12 +72,23 @@ struct Walk {
 }
 
 impl Walk {
-    fn new(place: Place, step: Step) -> Self {
+    /// So many pixels, fewer than 2¹⁶, from a place on.
+    fn new(place: Place, step: Step, pixels: u32) -> Self {
+        // Of the changes 0, 1, … pixels − 1; half of their product would lose the
+        // uppermost bit.
+        let last = pixels.wrapping_sub(1);
+        let (some, others) = if pixels % 2 == 0 {
+            (pixels / 2, last)
+        } else {
+            (pixels, last / 2)
+        };
+        let changes = times(times(step.bend, some), others);
+        let way = times(step.square, pixels).wrapping_add(changes);
         Self {
-            offsets: place.offsets,
-            square: upper(place.square),
+            offsets: place.offsets.plus_times(step.offsets, pixels as i32),
+            square: upper(place.square.wrapping_add(way)),
             step: step.offsets,
-            change: upper(step.square),
+            change: upper(step.square.wrapping_add(times(step.bend, pixels))),
             bend: upper(step.bend),
         }
     }
@@ -114,6 +125,14 @@ const fn upper(double: i64) -> i32 {
     (double >> 32) as i32
 }
 
+/// A product with a factor below 2¹⁶, without the last bits of what is multiplied.
+const fn times(double: i64, factor: u32) -> i64 {
+    // In two products of a word, where one of two words would be a call.
+    let whole = upper(double).wrapping_mul(factor as i32);
+    let part = (double as u32 >> 16).wrapping_mul(factor);
+    ((whole as i64) << 32).wrapping_add((part as i64) << 16)
+}
+
 impl Offsets {
     fn plus(self, other: Self) -> Self {
         self.plus_times(other, 1)
@@ -123,27 +142,6 @@ impl Offsets {
         Self {
             d: self.d.wrapping_add(other.d.wrapping_mul(times)),
             b: self.b.wrapping_add(other.b.wrapping_mul(times)),
-        }
-    }
-}
-
-impl Place {
-    fn plus_times(self, step: Step, times: i32) -> Self {
-        let wide = i64::from(times);
-        let changes = (step.bend).wrapping_mul(wide.wrapping_mul(wide - 1) / 2);
-        Self {
-            offsets: self.offsets.plus_times(step.offsets, times),
-            square: (self.square.wrapping_add(step.square.wrapping_mul(wide)))
-                .wrapping_add(changes),
-        }
-    }
-}
-
-impl Step {
-    fn after(self, times: i32) -> Self {
-        Self {
-            square: (self.square).wrapping_add(self.bend.wrapping_mul(i64::from(times))),
-            ..self
         }
     }
 }
@@ -229,13 +227,14 @@ impl<const STEPS: usize> LitSphere<STEPS> {
 }
 
 impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
-    /// RGB565 codes of the next row: 0 beside the sphere and the lobe.
+    /// RGB565 codes of the next row, of fewer than 2¹⁶ pixels: 0 beside the sphere
+    /// and the lobe.
     pub fn shade(&mut self, pixels: &mut [u16]) {
         let count = pixels.len() as i32;
         // From both ends to where the lobe may begin: what is left is contiguous.
         let mut at = self.coarse;
         let mut last = at.plus_times(self.coarse_across, count - 1);
-        let mut first = 0;
+        let mut first = 0u32;
         let mut rest = pixels.iter_mut();
         while !self.lit.reaches(at) {
             let Some(pixel) = rest.next() else { break };
@@ -249,21 +248,22 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
             last = last.plus_times(self.coarse_across, -1);
         }
         for pixels in rest.into_slice().chunks_mut(CHUNK as usize) {
-            let place = self.place.plus_times(self.across, first);
-            self.lobe(place, self.across.after(first), pixels);
-            first = first.wrapping_add(CHUNK);
+            self.lobe(first, pixels);
+            first = first.wrapping_add(CHUNK as u32);
         }
 
+        let down = &mut self.down;
         self.coarse = self.coarse.plus(self.coarse_down);
-        self.place = self.place.plus_times(self.down, 1);
-        self.down = self.down.after(1);
+        self.place.offsets = self.place.offsets.plus(down.offsets);
+        self.place.square = self.place.square.wrapping_add(down.square);
+        down.square = down.square.wrapping_add(down.bend);
     }
 
-    /// Pixels that may be in the lobe.
+    /// Pixels that may be in the lobe, so many before which there are in the row.
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
-    fn lobe(&self, place: Place, step: Step, pixels: &mut [u16]) {
-        let mut first = Walk::new(place, step);
+    fn lobe(&self, before: u32, pixels: &mut [u16]) {
+        let mut first = Walk::new(self.place, self.across, before);
         let mut last = first.after(pixels.len() as i32 - 1);
         let mut rest = pixels.iter_mut();
         while first.square < 0 {
