@@ -59,7 +59,7 @@ const SHORT: &str = "core/src/arithmetic/short.rs";
 const METAL: &str = "core/src/brdf/metal.rs";
 const PHONG: &str = "core/src/brdf/phong.rs";
 const FRAME: &str = "core/src/geometry/shading_frame.rs";
-const WORLD: &str = "core/src/geometry/world.rs";
+const PROJECTION: &str = "core/src/arithmetic/projection.rs";
 const EXPOSURE: &str = "core/src/table/exposure.rs";
 const UNIFORM: &str = "core/src/table/uniform.rs";
 const CURVE: &str = "core/src/table/cosine_curve.rs";
@@ -152,9 +152,9 @@ pub const BUGS: &[Bug] = &[
     ),
     bug(
         "the height is left out of x in world space",
-        WORLD,
-        "            A::height(self.cosines.0, self.cosines.1),\n",
-        "",
+        PROJECTION,
+        "[x, y, z, Self::height(cosines.0, cosines.1)]",
+        "[x, y, z]",
         &["frames"],
     ),
     bug(
@@ -363,8 +363,8 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a scaled table is read where it ends",
         "core/src/table/scaled.rs",
-        "if coordinate > self.limit {",
-        "if coordinate == u32::MAX {",
+        "if coordinate <= self.limit {",
+        "if coordinate < u32::MAX {",
         &["values"],
     ),
     bug(

@@ -19,6 +19,32 @@ pub struct Short {
     pub z: i16,
 }
 
+/// N, L and V of 16 bits, by value: without gaps, in five words.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Shorts {
+    /// N.
+    pub n: Short,
+    /// L.
+    pub l: Short,
+    /// V.
+    pub v: Short,
+}
+
+#[cfg(not(target_os = "none"))]
+impl Shorts {
+    /// The words that a call passes it in.
+    fn words(self) -> Vec<u32> {
+        let [n, l, v] = [self.n, self.l, self.v].map(|Short { x, y, z }| [x, y, z]);
+        let halves = [n, l, v].concat();
+        let word = |pair: &[i16]| {
+            let high = pair.get(1).copied().unwrap_or_default();
+            u32::from(pair[0] as u16) | u32::from(high as u16) << 16
+        };
+        halves.chunks(2).map(word).collect()
+    }
+}
+
 #[cfg(not(target_os = "none"))]
 impl Short {
     /// From the components' bits.
@@ -57,6 +83,8 @@ pub enum Call {
     ShortSingle(extern "C" fn(Short, Short) -> u32),
     /// As [`Self::ShortWorld`], to such channels.
     ShortWorldPacked(extern "C" fn(Short, Short, Short) -> u64),
+    /// The same of one argument.
+    ShortsPacked(extern "C" fn(Shorts) -> u64),
     /// As [`Self::World`], with components of 16 bits.
     ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
     /// The upper 16 of a number's 24 bits to a number.
@@ -124,7 +152,10 @@ impl Kernel {
     pub fn takes_normal(&self) -> bool {
         matches!(
             self.call,
-            Call::World(_) | Call::ShortWorld(_) | Call::ShortWorldPacked(_)
+            Call::World(_)
+                | Call::ShortWorld(_)
+                | Call::ShortWorldPacked(_)
+                | Call::ShortsPacked(_)
         )
     }
 
@@ -133,9 +164,10 @@ impl Kernel {
     #[must_use]
     pub fn light(&self, results: &[u32]) -> Vec<u32> {
         match (self.call, results) {
-            (Call::ShortPacked(_) | Call::ShortWorldPacked(_), &[first, second]) => {
-                [first, first >> 16, second].map(middle).to_vec()
-            }
+            (
+                Call::ShortPacked(_) | Call::ShortWorldPacked(_) | Call::ShortsPacked(_),
+                &[first, second],
+            ) => [first, first >> 16, second].map(middle).to_vec(),
             (Call::ShortSingle(_), &[only]) => vec![middle(only)],
             _ => results.to_vec(),
         }
@@ -195,6 +227,11 @@ impl Kernel {
                 let [n, l, v] = input.vectors.map(Short::new);
                 let words = [n, l, v].map(Short::words).concat();
                 (words, Vec::new(), halves(function(n, l, v)))
+            }
+            Call::ShortsPacked(function) => {
+                let [n, l, v] = input.vectors.map(Short::new);
+                let shorts = Shorts { n, l, v };
+                (shorts.words(), Vec::new(), halves(function(shorts)))
             }
             Call::ShortWorld(function) => {
                 let [n, l, v] = input.vectors.map(Short::new);

@@ -1,11 +1,14 @@
 //! Lobes with a light's gain in their tables: light of 16 bits, in registers.
 
 use microbrdf::arithmetic::Q15;
-use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
+use microbrdf::brdf::{
+    DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch,
+};
 use microbrdf::fixed::types::U32F32;
 use microbrdf::geometry::{ShadingFrame, World};
 use microbrdf::{Rgb, constant};
 
+use crate::call::Shorts;
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
 use crate::gold::GOLD;
@@ -13,6 +16,8 @@ use crate::models::lobe_peak;
 use crate::ways::q15::{Vector, direction, number, radius};
 
 const LOBE_20: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(20.0)));
+/// What tables without interpolation are made of.
+const FINE_20: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(20.0)));
 const LOBE_500: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(500.0)));
 const DISC: Patch<Q15> = constant!(Patch::<Q15>::new(radius(0.3)));
 /// 1/(πR²) of that.
@@ -75,16 +80,21 @@ macro_rules! shade {
             )
         }
     };
+    (direct $symbol:literal) => {
+        #[doc = $symbol]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(Shorts { n, l, v }: Shorts) -> u64 {
+            let [n, l, v] = [n, l, v].map(direction);
+            packed(MODEL.light(&World::<Q15>::new(n, l, v)))
+        }
+    };
     (world $symbol:literal) => {
         #[doc = $symbol]
         #[allow(unsafe_code)]
         #[unsafe(export_name = $symbol)]
         pub extern "C" fn shade(n: Vector<'_>, l: Vector<'_>, v: Vector<'_>) -> u64 {
-            packed(Some(MODEL.shade(&World::new(
-                direction(n),
-                direction(l),
-                direction(v),
-            ))))
+            packed(MODEL.light(&World::new(direction(n), direction(l), direction(v))))
         }
     };
 }
@@ -97,6 +107,9 @@ macro_rules! call {
     (grey $module:ident) => {
         Call::ShortSingle($module::shade)
     };
+    (direct $module:ident) => {
+        Call::ShortsPacked($module::shade)
+    };
     (world $module:ident) => {
         Call::ShortWorldPacked($module::shade)
     };
@@ -106,6 +119,9 @@ macro_rules! call {
 macro_rules! variant {
     (world) => {
         "world space, gain in the table, 129 knots"
+    };
+    (direct) => {
+        "world space, gain in the table, no interpolation, 4096 cells"
     };
     ($other:ident) => {
         "gain in the table, 129 knots"
@@ -128,6 +144,10 @@ exposed! {
     world phong_20_k1 "q15_exposed_world_metallic_phong_20_k1": ExposedPhong = ExposedPhong::new(LOBE_20, grey(1.0)),
         "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
     world phong_20_kc "q15_exposed_world_metallic_phong_20_kc": ExposedPhong = ExposedPhong::new(LOBE_20, grey(lobe_peak(20.0))),
+        "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    direct direct_20_k1 "q15_direct_world_metallic_phong_20_k1": DirectPhong = DirectPhong::new(&FINE_20, grey(1.0)),
+        "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
+    direct direct_20_kc "q15_direct_world_metallic_phong_20_kc": DirectPhong = DirectPhong::new(&FINE_20, grey(lobe_peak(20.0))),
         "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
     world gold_20_kc_world "q15_exposed_world_gold_20_kc": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(lobe_peak(20.0))),
         "metal" "metal = \"gold\", exponent = 20" about 20.0, "c" lobe_peak(20.0);
