@@ -413,6 +413,28 @@ pub const BUGS: &[Bug] = &[
         &["exposed"],
     ),
     bug(
+        "a cell without interpolation has the curve at its beginning",
+        "core/src/table/direct.rs",
+        "let middle = ((2 * cell as u64 + 1) << width) / 2;",
+        "let middle = ((2 * cell as u64) << width) / 2;",
+        &["exposed"],
+    ),
+    bug(
+        "a quotient of one look-up takes the next divisor's cell",
+        "core/src/table/reciprocal.rs",
+        "let cell = (b >> (31 - DIRECT_BITS)) as usize % DIRECT.len();",
+        "let cell = ((b >> (31 - DIRECT_BITS)) as usize + 1) % DIRECT.len();",
+        &["exposed"],
+    ),
+    bug(
+        "1 − R·V does not make good that N is rounded",
+        "core/src/arithmetic/q15.rs",
+        "let found = (square as i32).wrapping_sub(four_p).wrapping_add(rest);",
+        "let _ = rest; let found = (square as i32).wrapping_sub(four_p);",
+        &["golden"],
+    )
+    .of("core"),
+    bug(
         "a factor is cut off, not rounded (exposed)",
         EXPOSURE,
         "(word as u32 + HALF) as i32",

@@ -19,10 +19,12 @@ pub struct Short {
     pub z: i16,
 }
 
-/// N, L and V of 16 bits, by value: without gaps, in five words.
+/// N, L and V of 16 bits, by value: without gaps, which Arm's cores are given in
+/// the words of [`Shorts`].
+#[cfg(target_arch = "arm")]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Shorts {
+pub struct Three {
     /// N.
     pub n: Short,
     /// L.
@@ -31,17 +33,23 @@ pub struct Shorts {
     pub v: Short,
 }
 
-#[cfg(not(target_os = "none"))]
-impl Shorts {
-    /// The words that a call passes it in.
-    fn words(self) -> Vec<u32> {
-        let [n, l, v] = [self.n, self.l, self.v].map(|Short { x, y, z }| [x, y, z]);
-        let halves = [n, l, v].concat();
-        let word = |pair: &[i16]| {
-            let high = pair.get(1).copied().unwrap_or_default();
-            u32::from(pair[0] as u16) | u32::from(high as u16) << 16
-        };
-        halves.chunks(2).map(word).collect()
+/// N, L and V of 16 bits without gaps: words of two components each, the first in
+/// the lower half, and of the last one.
+pub type Shorts = extern "C" fn(u32, u32, u32, u32, u32) -> u64;
+
+#[cfg(not(target_arch = "arm"))]
+impl Short {
+    /// N, L and V of a call's words.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_words([a, b, c, d, e]: [u32; 5]) -> [Self; 3] {
+        let (low, high) = (|word: u32| word as i16, |word: u32| (word >> 16) as i16);
+        let short = |x, y, z| Self { x, y, z };
+        [
+            short(low(a), high(a), low(b)),
+            short(high(b), low(c), high(c)),
+            short(low(d), high(d), low(e)),
+        ]
     }
 }
 
@@ -83,8 +91,8 @@ pub enum Call {
     ShortSingle(extern "C" fn(Short, Short) -> u32),
     /// As [`Self::ShortWorld`], to such channels.
     ShortWorldPacked(extern "C" fn(Short, Short, Short) -> u64),
-    /// The same of one argument.
-    ShortsPacked(extern "C" fn(Shorts) -> u64),
+    /// The same in fewer words.
+    ShortsPacked(Shorts),
     /// As [`Self::World`], with components of 16 bits.
     ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
     /// The upper 16 of a number's 24 bits to a number.
@@ -229,9 +237,16 @@ impl Kernel {
                 (words, Vec::new(), halves(function(n, l, v)))
             }
             Call::ShortsPacked(function) => {
-                let [n, l, v] = input.vectors.map(Short::new);
-                let shorts = Shorts { n, l, v };
-                (shorts.words(), Vec::new(), halves(function(shorts)))
+                let component = |i: usize| input.vectors.as_flattened()[i] as u16;
+                let word =
+                    |i: usize| u32::from(component(2 * i)) | u32::from(component(2 * i + 1)) << 16;
+                let [a, b, c, d] = [0, 1, 2, 3].map(word);
+                let e = u32::from(component(8));
+                (
+                    vec![a, b, c, d, e],
+                    Vec::new(),
+                    halves(function(a, b, c, d, e)),
+                )
             }
             Call::ShortWorld(function) => {
                 let [n, l, v] = input.vectors.map(Short::new);

@@ -8,7 +8,10 @@ use microbrdf::fixed::types::U32F32;
 use microbrdf::geometry::{ShadingFrame, World};
 use microbrdf::{Rgb, constant};
 
-use crate::call::Shorts;
+#[cfg(not(target_arch = "arm"))]
+use crate::call::Short;
+#[cfg(target_arch = "arm")]
+use crate::call::Three;
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
 use crate::gold::GOLD;
@@ -18,6 +21,9 @@ use crate::ways::q15::{Vector, direction, number, radius};
 const LOBE_20: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(20.0)));
 /// What tables without interpolation are made of.
 const FINE_20: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(20.0)));
+const FINE_500: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(500.0)));
+const FINE_5000: MetallicPhong<Q15<513>> =
+    constant!(MetallicPhong::<Q15<513>>::new(number(5000.0)));
 const LOBE_500: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(500.0)));
 const DISC: Patch<Q15> = constant!(Patch::<Q15>::new(radius(0.3)));
 /// 1/(πR²) of that.
@@ -82,10 +88,20 @@ macro_rules! shade {
     };
     (direct $symbol:literal) => {
         #[doc = $symbol]
+        #[cfg(target_arch = "arm")]
         #[allow(unsafe_code)]
         #[unsafe(export_name = $symbol)]
-        pub extern "C" fn shade(Shorts { n, l, v }: Shorts) -> u64 {
+        pub extern "C" fn shade(Three { n, l, v }: Three) -> u64 {
             let [n, l, v] = [n, l, v].map(direction);
+            packed(MODEL.light(&World::<Q15>::new(n, l, v)))
+        }
+
+        /// As it is called on cores that get a struct behind a pointer.
+        #[cfg(not(target_arch = "arm"))]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(a: u32, b: u32, c: u32, d: u32, e: u32) -> u64 {
+            let [n, l, v] = Short::of_words([a, b, c, d, e]).map(direction);
             packed(MODEL.light(&World::<Q15>::new(n, l, v)))
         }
     };
@@ -149,6 +165,10 @@ exposed! {
         "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
     direct direct_20_kc "q15_direct_world_metallic_phong_20_kc": DirectPhong = DirectPhong::new(&FINE_20, grey(lobe_peak(20.0))),
         "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    direct direct_500_kc "q15_direct_world_metallic_phong_500_kc": DirectPhong = DirectPhong::new(&FINE_500, grey(lobe_peak(500.0))),
+        "metallic-phong" "exponent = 500" about 500.0, "c" lobe_peak(500.0);
+    direct direct_5000_k1 "q15_direct_world_metallic_phong_5000_k1": DirectPhong = DirectPhong::new(&FINE_5000, grey(1.0)),
+        "metallic-phong" "exponent = 5000" about 5000.0, "1" 1.0;
     world gold_20_kc_world "q15_exposed_world_gold_20_kc": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(lobe_peak(20.0))),
         "metal" "metal = \"gold\", exponent = 20" about 20.0, "c" lobe_peak(20.0);
 }

@@ -89,6 +89,8 @@ const GOALS: [Goal; 7] = [
         kernels: &[
             "q15_direct_world_metallic_phong_20_k1",
             "q15_direct_world_metallic_phong_20_kc",
+            "q15_direct_world_metallic_phong_500_kc",
+            "q15_direct_world_metallic_phong_5000_k1",
         ],
         at_once: 1.0,
         at_most: [190.0, 120.0, 70.0],
@@ -98,9 +100,9 @@ const GOALS: [Goal; 7] = [
     Goal {
         title: "whole sphere pixel to RGB565, any n, at most one level off: of a tile's 16 rows of 64",
         kernels: &[
+            "q15_sphere_row_5000",
             "q15_sphere_row_500_kc",
             "q15_sphere_row_500",
-            "q15_sphere_row_5000",
             "q15_sphere_row_20",
             "q15_sphere_row_20_kc",
         ],
