@@ -2,10 +2,9 @@
 
 use fixed::types::U32F32;
 
-use super::exposed::lit_versine;
 use super::phong::MetallicPhong;
-use crate::arithmetic::Q15;
 use crate::arithmetic::short::scale_by_upper;
+use crate::arithmetic::{Arithmetic as _, Q15};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
@@ -145,4 +144,16 @@ const fn factor(gain: u64, greatest: u64) -> u32 {
     }
     let twice = ((gain as u128) << (FACTOR_BITS + 1)) / greatest as u128;
     (twice as u32).div_ceil(2)
+}
+
+/// 1 − R·V, beyond every lobe where nothing is lit: one decision for both. `None`
+/// where it is dearer to form than to ask first.
+#[inline(always)]
+fn lit_versine<const KNOTS: usize, G: Geometry<Q15<KNOTS>>>(geometry: &G) -> Option<u32> {
+    let (n_dot_l, n_dot_v) = geometry.products();
+    let lit = Q15::<KNOTS>::lit(n_dot_l, n_dot_v);
+    if G::DEAR && cfg!(not(long_multiply)) && !lit {
+        return None;
+    }
+    Some(geometry.versine() | u32::from(!lit).wrapping_neg())
 }

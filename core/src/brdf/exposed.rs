@@ -4,7 +4,7 @@ use fixed::types::{U1F31, U32F32};
 
 use super::foreshortening::Metallic;
 use super::phong::MetallicPhong;
-use crate::arithmetic::{Arithmetic as _, Q15};
+use crate::arithmetic::{Arithmetic, Q15};
 use crate::colour::Rgb;
 use crate::error::ParameterError;
 use crate::geometry::Geometry;
@@ -118,26 +118,14 @@ impl<C: Exposing, const KNOTS: usize> Exposed<C, KNOTS> {
     /// As [`Self::shade`]; `None` below the horizon and beyond the lobe.
     // A shading loop calls it once for a material: let the loop hold it.
     #[inline(always)]
-    pub fn light<G: Geometry<Q15<KNOTS>>>(&self, geometry: &G) -> Option<Rgb<u16>> {
-        let (n_dot_l, n_dot_v) = geometry.products();
+    pub fn light(&self, geometry: &impl Geometry<Q15<KNOTS>>) -> Option<Rgb<u16>> {
+        let (n_dot_l, n_dot_v) = geometry.cosines();
+        if !Q15::<KNOTS>::lit(n_dot_l, n_dot_v) {
+            return None;
+        }
         // As the table holds it: a share is any number times 2⁻²⁵ here.
-        let lobe = U1F31::from_bits(self.lobe.power().entry_at(lit_versine(geometry)?)?);
+        let lobe = U1F31::from_bits(self.lobe.power().entry_at(geometry.versine())?);
         let (share, cos_min) = Metallic::attenuated::<Q15<KNOTS>>(lobe, n_dot_l, n_dot_v);
-        let cos_min = Q15::<KNOTS>::cosine(cos_min);
         Some(self.colour.expose(share.to_bits(), cos_min))
     }
-}
-
-/// 1 − R·V, beyond every lobe where nothing is lit: one decision for both. `None`
-/// where it is dearer to form than to ask first.
-#[inline(always)]
-pub(super) fn lit_versine<const KNOTS: usize, G: Geometry<Q15<KNOTS>>>(
-    geometry: &G,
-) -> Option<u32> {
-    let (n_dot_l, n_dot_v) = geometry.products();
-    let lit = Q15::<KNOTS>::lit(n_dot_l, n_dot_v);
-    if G::DEAR && cfg!(not(long_multiply)) && !lit {
-        return None;
-    }
-    Some(geometry.versine() | u32::from(!lit).wrapping_neg())
 }
