@@ -107,7 +107,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
 
 /// What a ratio is less than 1, so that nothing is left of it at the last cell.
 pub(super) const fn in_ratios(less: i64) -> i64 {
-    less * (RATIOS as i64 - 1) >> RATIO_BITS
+    (less * (RATIOS as i64 - 1)) >> RATIO_BITS
 }
 
 /// The index of a cell, the last one for what is beyond; for pixels that are

@@ -45,7 +45,7 @@ impl Reach {
                 clamp(sine + aside, -UNIT, UNIT),
             ],
             across: if across < 2 * UNIT { across } else { 2 * UNIT },
-            slack: clamp(quotient(2 * SLACK << UNIT_BITS, cosine), 0, UNIT),
+            slack: clamp(quotient((2 * SLACK) << UNIT_BITS, cosine), 0, UNIT),
         }
     }
 
