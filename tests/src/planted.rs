@@ -424,8 +424,9 @@ pub const BUGS: &[Bug] = &[
         "core/src/table/reciprocal.rs",
         "let cell = (b >> (31 - DIRECT_BITS)) as usize % DIRECT.len();",
         "let cell = ((b >> (31 - DIRECT_BITS)) as usize + 1) % DIRECT.len();",
-        &["exposed"],
-    ),
+        &["lib"],
+    )
+    .of("core"),
     bug(
         "1 − R·V does not make good that N is rounded",
         "core/src/arithmetic/q15.rs",
