@@ -116,8 +116,8 @@ const GOALS: [Goal; 7] = [
               tables. In Thumb code of ARMv6-M the compiler gives them r0 to r6; r7 it keeps for frames, and r8 to r12, from \
               which a sum could be taken in a cycle, it leaves alone. A product and a look-up \
               need three of the seven: eight values or more live on the stack, are loaded from there in each turn, and \
-              stored there if they change (`ldr …, [sp, …]` below), two cycles each. By hand, with r8 to r12, they need not. Four pixels a turn instead of two, \
-              two look-ups at once and a function of its own for the loop were tried and are not quicker. \
+              stored there if they change (`ldr …, [sp, …]` below), two cycles each. By hand, with r8 to r12, they need not. Four pixels a turn \
+              instead of two, two look-ups at once and a function of its own for the loop were tried and are not quicker. \
               A pixel by itself, without its neighbours, is `q15_sphere_20`.",
     },
 ];
