@@ -73,14 +73,17 @@ impl<M: Math> Arithmetic for Float<M> {
     fn products(n: &Direction<Self>, l: &Direction<Self>, v: &Direction<Self>) -> (f32, f32) {
         (Self::dot(n, l), Self::dot(n, v))
     }
+
     #[inline]
     fn cosine(product: f32) -> f32 {
         product
     }
+
     #[inline]
     fn product_of(cosine: f32) -> f32 {
         cosine
     }
+
     #[inline]
     fn upright(z: f32) -> f32 {
         z

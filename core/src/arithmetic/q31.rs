@@ -136,14 +136,17 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     fn products(n: &Direction<Self>, l: &Direction<Self>, v: &Direction<Self>) -> (I2F30, I2F30) {
         (Self::dot(n, l), Self::dot(n, v))
     }
+
     #[inline]
     fn cosine(product: I2F30) -> I2F30 {
         product
     }
+
     #[inline]
     fn product_of(cosine: I2F30) -> I2F30 {
         cosine
     }
+
     #[inline]
     fn upright(z: I2F30) -> I2F30 {
         z

@@ -200,6 +200,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     }
 
     /// From 60 fraction bits.
+    // A picture begins with five of them, which need not stand there five times.
     #[inline(never)]
     const fn in_steps(&self, square: i64) -> i64 {
         const UP: u32 = SQUARE_BITS - UNIT_BITS;
@@ -294,7 +295,7 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
 
     #[inline(always)]
     fn pixel(&self, at: Offsets, word: Word) -> u16 {
-        // The word's lower half is less than a step of it, and counted there.
+        // A word's lower half is part of its offset: it is rounded so.
         let d = at.d.wrapping_add(word.offset()) >> WAY_BITS;
         let b = at.b >> WAY_BITS;
         let mut x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b));
