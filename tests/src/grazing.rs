@@ -97,7 +97,7 @@ pub fn section() -> String {
          Greatest arithmetic error in LSB, in brackets in whole codes, where the larger of the two \
          cosines lies in a range: over every entry of the registry at K = 1, and over those of a peak \
          below 2e4 (n to 1e5) at K = c. In the shading frame a cosine is exact, so that the error does \
-         not grow towards grazing; in world space the ratio of two cosines that are no multiples of 2^-14 is rounded: \
+         not grow towards grazing; in world space L + V loses its part along N by products of 14 bits: \
          entries of a peak below 100 (n to 600) and without an edge are shown, narrower lobes err more, \
          and the edge of a patch or of n = 0 lies where rounding puts it. A ratio of cosines is there within \
          4e-5, of which the dark shows K times as much. Computed anew by `tests/tests/documents.rs`, which fails when a figure \

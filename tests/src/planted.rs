@@ -59,7 +59,7 @@ const SHORT: &str = "core/src/arithmetic/short.rs";
 const METAL: &str = "core/src/brdf/metal.rs";
 const PHONG: &str = "core/src/brdf/phong.rs";
 const FRAME: &str = "core/src/geometry/shading_frame.rs";
-const PROJECTION: &str = "core/src/arithmetic/projection.rs";
+const WORLD: &str = "core/src/geometry/world.rs";
 const EXPOSURE: &str = "core/src/table/exposure.rs";
 const UNIFORM: &str = "core/src/table/uniform.rs";
 const CURVE: &str = "core/src/table/cosine_curve.rs";
@@ -152,9 +152,9 @@ pub const BUGS: &[Bug] = &[
     ),
     bug(
         "the height is left out of x in world space",
-        PROJECTION,
-        "[x, y, z, Self::height(cosines.0, cosines.1)]",
-        "[x, y, z]",
+        WORLD,
+        "            A::height(self.cosines.0, self.cosines.1),\n",
+        "",
         &["frames"],
     ),
     bug(
@@ -363,8 +363,8 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a scaled table is read where it ends",
         "core/src/table/scaled.rs",
-        "if coordinate <= self.limit {",
-        "if coordinate < u32::MAX {",
+        "if coordinate > self.limit {",
+        "if coordinate == u32::MAX {",
         &["values"],
     ),
     bug(
@@ -412,29 +412,6 @@ pub const BUGS: &[Bug] = &[
         "let share = share.min(1 << 31);",
         &["exposed"],
     ),
-    bug(
-        "a cell without interpolation has the curve at its beginning",
-        "core/src/table/direct.rs",
-        "let middle = ((2 * cell as u64 + 1) << width) / 2;",
-        "let middle = ((2 * cell as u64) << width) / 2;",
-        &["exposed"],
-    ),
-    bug(
-        "a quotient of one look-up takes the next divisor's cell",
-        "core/src/table/reciprocal.rs",
-        "let cell = (b >> (31 - DIRECT_BITS)) as usize % DIRECT.len();",
-        "let cell = ((b >> (31 - DIRECT_BITS)) as usize + 1) % DIRECT.len();",
-        &["lib"],
-    )
-    .of("core"),
-    bug(
-        "1 − R·V does not make good that N is rounded",
-        "core/src/arithmetic/q15.rs",
-        "let found = (square as i32).wrapping_sub(four_p).wrapping_add(rest);",
-        "let _ = rest; let found = (square as i32).wrapping_sub(four_p);",
-        &["golden"],
-    )
-    .of("core"),
     bug(
         "a factor is cut off, not rounded (exposed)",
         EXPOSURE,

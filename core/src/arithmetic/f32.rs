@@ -4,7 +4,6 @@ use core::marker::PhantomData;
 
 use super::Arithmetic;
 use super::math::{Libm, Math};
-use super::projection::Projection;
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::{LINEAR_ONE, Linear};
@@ -20,19 +19,11 @@ pub struct Float<M>(PhantomData<M>);
 /// Single precision with libm's functions.
 pub type F32 = Float<Libm>;
 
-impl<M: Math> Projection for Float<M> {
-    #[inline]
-    fn tangential(n: f32, l: f32, v: f32, cosines: (f32, f32)) -> f32 {
-        (l + v) - (cosines.0 + cosines.1) * n
-    }
-}
-
 impl<M: Math> Arithmetic for Float<M> {
     const NAME: &'static str = M::NAME;
 
     type Component = f32;
     type Cosine = f32;
-    type Product = f32;
     type Offset = f32;
     type Separation = f32;
     type Versine = f32;
@@ -70,21 +61,6 @@ impl<M: Math> Arithmetic for Float<M> {
     }
 
     #[inline]
-    fn products(n: &Direction<Self>, l: &Direction<Self>, v: &Direction<Self>) -> (f32, f32) {
-        (Self::dot(n, l), Self::dot(n, v))
-    }
-
-    #[inline]
-    fn cosine(product: f32) -> f32 {
-        product
-    }
-
-    #[inline]
-    fn product_of(cosine: f32) -> f32 {
-        cosine
-    }
-
-    #[inline]
     fn upright(z: f32) -> f32 {
         z
     }
@@ -92,6 +68,11 @@ impl<M: Math> Arithmetic for Float<M> {
     #[inline]
     fn height(a: f32, b: f32) -> f32 {
         a - b
+    }
+
+    #[inline]
+    fn tangential(n: f32, l: f32, v: f32, cosines: (f32, f32)) -> f32 {
+        (l + v) - (cosines.0 + cosines.1) * n
     }
 
     #[inline]
@@ -104,26 +85,6 @@ impl<M: Math> Arithmetic for Float<M> {
     #[inline]
     fn half(square: f32) -> f32 {
         0.5 * square
-    }
-
-    #[inline]
-    fn world_versine(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        cosines: (f32, f32),
-    ) -> Self::Versine {
-        Self::versine_by_coordinates(n, l, v, cosines)
-    }
-
-    #[inline]
-    fn world_separation(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        cosines: (f32, f32),
-    ) -> Self::Separation {
-        Self::square(Self::projected(n, l, v, cosines))
     }
 
     #[inline]

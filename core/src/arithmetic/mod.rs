@@ -9,7 +9,6 @@ pub(crate) mod exponent;
 mod f32;
 mod math;
 mod peak;
-mod projection;
 pub(crate) mod q15;
 pub(crate) mod q31;
 pub(crate) mod short;
@@ -38,9 +37,6 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     type Component: Copy + Debug + PartialEq + PartialOrd;
     /// Cosine of the angle between two directions; holds −1 … 1.
     type Cosine: Copy + Debug + PartialEq + PartialOrd;
-    /// N·L or N·V as the sum of three products that it is: a cosine with fraction
-    /// bits of its own.
-    type Product: Copy + Debug + PartialEq;
     /// Sum or difference of two components, −2 … 2.
     type Offset: Copy;
     /// Squared distance of two directions or of their projections, 0 … 4.
@@ -78,16 +74,6 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
 
     /// Cosine of the angle between two directions.
     fn dot(a: &Direction<Self>, b: &Direction<Self>) -> Self::Cosine;
-    /// N·L and N·V, as sums of products.
-    fn products(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-    ) -> (Self::Product, Self::Product);
-    /// A sum of products as a cosine.
-    fn cosine(product: Self::Product) -> Self::Cosine;
-    /// A cosine as the sum of products that it was.
-    fn product_of(cosine: Self::Cosine) -> Self::Product;
     /// The cosine of a direction with the shading frame's normal, which is its
     /// third coordinate.
     fn upright(z: Self::Component) -> Self::Cosine;
@@ -97,26 +83,18 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     fn difference(a: Self::Component, b: Self::Component) -> Self::Offset;
     /// a − b of two cosines.
     fn height(a: Self::Cosine, b: Self::Cosine) -> Self::Offset;
+    /// One coordinate of L + V without its part along the normal:
+    /// l + v − (N·L + N·V)·n.
+    fn tangential(
+        n: Self::Component,
+        l: Self::Component,
+        v: Self::Component,
+        cosines: (Self::Cosine, Self::Cosine),
+    ) -> Self::Offset;
     /// Sum of squares.
     fn square<const N: usize>(offsets: [Self::Offset; N]) -> Self::Separation;
     /// The versine of two directions whose difference has that square.
     fn half(square: Self::Separation) -> Self::Versine;
-    /// 1 − R·V of N, L and V in any frame, with N·L and N·V. In floating point
-    /// and in 32 bits it is made of h = L + V without its part along the normal,
-    /// coordinate by coordinate; in 16 bits of sums of products, which are exact.
-    fn world_versine(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        products: (Self::Product, Self::Product),
-    ) -> Self::Versine;
-    /// m² of the same.
-    fn world_separation(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        products: (Self::Product, Self::Product),
-    ) -> Self::Separation;
 
     /// Whether neither cosine is negative. In floating point it is false, too,
     /// for what is infinite or not a number.

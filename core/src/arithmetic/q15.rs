@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
-use super::short::{FACTOR, product_of_cosines, scale, scale_by_half};
+use super::short::{FACTOR, scale, scale_by_half};
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -15,8 +15,6 @@ use crate::table::{
 const COMPONENT_BITS: u32 = 14;
 /// Fraction bits of a cosine.
 const COSINE_BITS: u32 = 30;
-/// From a sum of products of components to a cosine.
-const COSINE_SHIFT: u32 = COSINE_BITS - 2 * COMPONENT_BITS;
 
 /// 16-bit fixed point: directions in `I2F14`, shares in `U1F31`, lobes in
 /// tables of `KNOTS` knots.
@@ -100,70 +98,12 @@ impl<const KNOTS: usize> Q15<KNOTS> {
     }
 }
 
-/// Its components' bits.
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
-fn components<const KNOTS: usize>(d: &Direction<Q15<KNOTS>>) -> [i32; 3] {
-    [d.x, d.y, d.z].map(|component| i32::from(component.to_bits()))
-}
-
-/// 28 fraction bits; wraps for directions that are far too long.
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
-fn sum_of_products(a: [i32; 3], b: [i32; 3]) -> i32 {
-    let [x, y, z] = [0, 1, 2].map(|i: usize| a[i].wrapping_mul(b[i]));
-    x.wrapping_add(y).wrapping_add(z)
-}
-
-/// N·L and N·V, that as N·(L + V) − N·L, which are the same bits: of V nothing
-/// is kept then beside its sum with L.
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
-fn products_by_sum<const KNOTS: usize>(
-    n: &Direction<Q15<KNOTS>>,
-    l: &Direction<Q15<KNOTS>>,
-    v: &Direction<Q15<KNOTS>>,
-) -> (i32, i32) {
-    let (n, l, v) = (components(n), components(l), components(v));
-    let both = [l[0] + v[0], l[1] + v[1], l[2] + v[2]];
-    let n_dot_l = sum_of_products(n, l);
-    let n_dot_v = sum_of_products(n, both).wrapping_sub(n_dot_l);
-    (n_dot_l, n_dot_v)
-}
-
-/// |L + V|² − 4p(2 − |N|²), for 4p, with 28 fraction bits: sums of products of
-/// components are exact, so that nothing cancels that was rounded. With
-/// p = (N·L)(N·V) it is twice 1 − R·V, with p = ((N·L + N·V)/2)² it is m²; |N|²
-/// makes good that N is rounded, which p alone would show as 4p times that. Off
-/// by 2 · 2⁻²⁴ at most, by 6 · 2⁻²⁴ where 4p is rounded to 22 fraction bits, and by
-/// 2e-4 of its value. Never negative: `tests`.
-// Without a long multiply registers are few: what is inlined first is ordered
-// as it stands here.
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
-fn sum_without<const KNOTS: usize>(
-    n: &Direction<Q15<KNOTS>>,
-    l: &Direction<Q15<KNOTS>>,
-    v: &Direction<Q15<KNOTS>>,
-    four_p: i32,
-) -> u32 {
-    let sum = |a, b| Q15::<KNOTS>::sum(a, b);
-    let square = Q15::<KNOTS>::square([sum(l.z, v.z), sum(l.y, v.y), sum(l.x, v.x)]);
-    // |N|² − 1 is the lower half of |N|², 28 fraction bits; of p 14 are taken.
-    let excess = i32::from(sum_of_products(components(n), components(n)) as i16);
-    let rest = ((four_p >> 16) * excess) >> 12;
-    let found = (square as i32).wrapping_sub(four_p).wrapping_add(rest);
-    found.max(0) as u32
-}
-
 impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     const NAME: &'static str = "q15";
 
     type Component = I2F14;
     /// 30 fraction bits, so that the sum of three products is exact.
     type Cosine = i32;
-    /// 28 fraction bits, exact.
-    type Product = i32;
     /// 14 fraction bits.
     type Offset = i32;
     /// 28 fraction bits.
@@ -189,28 +129,11 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
 
     #[inline]
     fn dot(a: &Direction<Self>, b: &Direction<Self>) -> i32 {
-        sum_of_products(components(a), components(b)) << COSINE_SHIFT
-    }
-
-    #[cfg_attr(long_multiply, inline)]
-    #[cfg_attr(not(long_multiply), inline(always))]
-    fn products(n: &Direction<Self>, l: &Direction<Self>, v: &Direction<Self>) -> (i32, i32) {
-        if cfg!(long_multiply) {
-            let (n, l, v) = (components(n), components(l), components(v));
-            (sum_of_products(n, l), sum_of_products(n, v))
-        } else {
-            products_by_sum(n, l, v)
-        }
-    }
-
-    #[inline]
-    fn cosine(product: i32) -> i32 {
-        product << COSINE_SHIFT
-    }
-
-    #[inline]
-    fn product_of(cosine: i32) -> i32 {
-        cosine >> COSINE_SHIFT
+        let product = |a: I2F14, b: I2F14| i32::from(a.to_bits()) * i32::from(b.to_bits());
+        let sum = product(a.x, b.x)
+            .wrapping_add(product(a.y, b.y))
+            .wrapping_add(product(a.z, b.z));
+        sum << (COSINE_BITS - 2 * COMPONENT_BITS)
     }
 
     #[inline]
@@ -236,6 +159,15 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
+    fn tangential(n: I2F14, l: I2F14, v: I2F14, cosines: (i32, i32)) -> i32 {
+        // Fraction bits of the sum that its product with a component can take.
+        const HEIGHT: u32 = 15;
+        let height = (cosines.0 >> (COSINE_BITS - HEIGHT)) + (cosines.1 >> (COSINE_BITS - HEIGHT));
+        let along = height.wrapping_mul(i32::from(n.to_bits()));
+        Self::sum(l, v) - (along.wrapping_add(1 << (HEIGHT - 1)) >> HEIGHT)
+    }
+
+    #[inline]
     fn square<const N: usize>(offsets: [i32; N]) -> u32 {
         offsets.iter().fold(0, |sum: u32, offset| {
             sum.wrapping_add(offset.wrapping_mul(*offset) as u32)
@@ -245,30 +177,6 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn half(square: u32) -> u32 {
         square
-    }
-
-    #[cfg_attr(long_multiply, inline)]
-    #[cfg_attr(not(long_multiply), inline(always))]
-    fn world_versine(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        (a, b): (i32, i32),
-    ) -> u32 {
-        // 28 fraction bits of 4p are 30 of p, of which 24 are formed.
-        sum_without::<KNOTS>(n, l, v, product_of_cosines::<24>(a, b) << 6)
-    }
-
-    #[inline]
-    fn world_separation(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        (a, b): (i32, i32),
-    ) -> u32 {
-        // Of m² a root is taken, which shows its last bits.
-        let height = a.wrapping_add(b);
-        sum_without::<KNOTS>(n, l, v, product_of_cosines::<28>(height, height))
     }
 
     #[inline]
@@ -424,153 +332,5 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn linear(light: Rgb<u32>) -> Linear {
         Linear::from_raw(light.r, light.g, light.b)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Arithmetic, I2F14, Q15, products_by_sum};
-    use crate::geometry::{Direction, Geometry as _, World};
-
-    type A = Q15;
-
-    fn direction([x, y, z]: [i16; 3]) -> Direction<A> {
-        let [x, y, z] = [x, y, z].map(I2F14::from_bits);
-        Direction::new(x, y, z)
-    }
-
-    fn dot(a: [i16; 3], b: [i16; 3]) -> i128 {
-        (0..3).map(|i| i128::from(a[i]) * i128::from(b[i])).sum()
-    }
-
-    /// |h|²·|N|² − 4(N·L)(N·V) over |N|², and |h|² − (N·h)²/|N|²: of any lengths,
-    /// exact, in units of 2⁻²⁸.
-    fn exact(n: [i16; 3], l: [i16; 3], v: [i16; 3]) -> [f64; 2] {
-        let (a, b, nn) = (dot(n, l), dot(n, v), dot(n, n));
-        let square = dot(l, l) + dot(v, v) + 2 * dot(l, v);
-        [4 * a * b, (a + b) * (a + b)].map(|part| (square * nn - part) as f64 / nn as f64)
-    }
-
-    fn found(n: [i16; 3], l: [i16; 3], v: [i16; 3]) -> [u32; 2] {
-        let world = World::<A>::new(direction(n), direction(l), direction(v));
-        [world.versine(), world.separation()]
-    }
-
-    /// A number in (−1, 1).
-    fn draw(state: &mut u64) -> f64 {
-        *state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        (*state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn unit(c: [f64; 3]) -> [f64; 3] {
-        let length = c.iter().map(|c| c * c).sum::<f64>().sqrt();
-        c.map(|c| c / length)
-    }
-
-    /// Of a length within 2⁻¹⁴ of 1, rounded.
-    fn rounded(c: [f64; 3], off: f64) -> [i16; 3] {
-        c.map(|c| (c * (1.0 + off / 16_384.0) * 16_384.0).round() as i16)
-    }
-
-    /// Both are what integers of any width give: for directions anywhere, for
-    /// those near the mirror direction, and for lengths that are off.
-    #[test]
-    fn world_space_loses_no_digits() {
-        let mut state = 7;
-        let (mut worst, mut exactly) = ([0.0f64; 2], 0);
-        for i in 0..200_000 {
-            let vector = |state: &mut u64| unit([draw(state), draw(state), draw(state)]);
-            let (n, l) = (vector(&mut state), vector(&mut state));
-            let cosine: f64 = (0..3).map(|i| n[i] * l[i]).sum();
-            let near = 0.5f64.powi(i % 15);
-            let aside = vector(&mut state);
-            let v = unit([0, 1, 2].map(|i| 2.0 * cosine * n[i] - l[i] + near * aside[i]));
-            let [n, l, v] = [n, l, v].map(|c| rounded(c, draw(&mut state)));
-            if [n, l, v]
-                .iter()
-                .any(|c| (dot(*c, *c) - (1 << 28)).abs() > 1 << 15)
-            {
-                continue;
-            }
-            let (found, swapped) = (found(n, l, v), found(n, v, l));
-            assert_eq!(found, swapped, "{n:?}, {l:?}, {v:?}");
-            let pairs = found.into_iter().zip(exact(n, l, v));
-            for ((found, exact), worst) in pairs.zip(&mut worst) {
-                let off = (f64::from(found) - exact).abs() - exact * 2e-4;
-                *worst = worst.max(off);
-                exactly += u32::from(off <= 64.0);
-            }
-        }
-        // 2⁻²⁸ each.
-        assert!((64.0..=96.0).contains(&worst[0]), "{worst:?}");
-        assert!((12.0..=32.0).contains(&worst[1]), "{worst:?}");
-        assert!(exactly > 100_000, "{exactly}");
-    }
-
-    /// Mirrored, grazing, along the normal, opposite, and where L + V has a
-    /// component of 2.
-    #[test]
-    fn world_space_at_its_corners() {
-        const ONE: i16 = 1 << 14;
-        let axes = [
-            [ONE, 0, 0],
-            [0, ONE, 0],
-            [0, 0, ONE],
-            [-ONE, 0, 0],
-            [0, -ONE, 0],
-            [0, 0, -ONE],
-            // 3-4-5, in the steps of a component almost a unit vector.
-            [9_830, 0, 13_107],
-            [-9_830, 0, 13_107],
-            [1, 0, ONE],
-            [ONE, 0, 1],
-            [-ONE, 0, 1],
-        ];
-        for n in axes {
-            for l in axes {
-                for v in axes {
-                    let close = dot(n, n) == 1 << 28;
-                    for (found, exact) in found(n, l, v).into_iter().zip(exact(n, l, v)) {
-                        let off = (f64::from(found) - exact).abs();
-                        let most = if close {
-                            64.0
-                        } else {
-                            96.0 + exact.abs() * 2e-4
-                        };
-                        assert!(off <= most, "{n:?}, {l:?}, {v:?}: {found} for {exact}");
-                    }
-                }
-            }
-        }
-        for axis in axes.into_iter().take(6) {
-            assert_eq!(found(axis, axis, axis), [0, 0]);
-        }
-        // 1 − R·V = 2 with 29 fraction bits.
-        assert_eq!(found([0, 0, ONE], [ONE, 0, 0], [ONE, 0, 0])[0], 1 << 30);
-    }
-
-    /// Directions of any length: overflow checks are on.
-    #[test]
-    fn nothing_wraps_unasked() {
-        let ends = [i16::MIN, -16_384, -1, 0, 1, 12_345, i16::MAX];
-        let all = || ends.into_iter().flat_map(|x| ends.map(|y| [x, y, 777]));
-        for n in all() {
-            for l in all() {
-                for v in all() {
-                    let (found, swapped) = (found(n, l, v), found(n, v, l));
-                    if [dot(n, l), dot(n, v)].iter().all(|dot| dot.abs() < 1 << 29) {
-                        assert_eq!(found, swapped);
-                    }
-                    let [n, l, v] = [n, l, v].map(direction);
-                    let (by_sum, dots) = (
-                        products_by_sum(&n, &l, &v),
-                        [A::dot(&n, &l), A::dot(&n, &v)],
-                    );
-                    assert_eq!([by_sum.0, by_sum.1].map(A::cosine), dots);
-                }
-            }
-        }
     }
 }

@@ -2,7 +2,6 @@
 
 use fixed::types::{I2F30, U1F31, U32F32, U64F64};
 
-use super::projection::Projection;
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -75,22 +74,11 @@ impl<const CELLS: usize> Q31<CELLS> {
     }
 }
 
-impl<const CELLS: usize> Projection for Q31<CELLS> {
-    #[inline]
-    fn tangential(n: I2F30, l: I2F30, v: I2F30, cosines: (I2F30, I2F30)) -> i32 {
-        let height = i64::from(cosines.0.to_bits()) + i64::from(cosines.1.to_bits());
-        let along =
-            (height * i64::from(n.to_bits()) + (1 << (COMPONENT_BITS - 1))) >> COMPONENT_BITS;
-        Self::sum(l, v).wrapping_sub(along as i32)
-    }
-}
-
 impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     const NAME: &'static str = "q31";
 
     type Component = I2F30;
     type Cosine = I2F30;
-    type Product = I2F30;
     /// 30 fraction bits; read as a magnitude, so that 2.0 is held.
     type Offset = i32;
     /// 60 fraction bits.
@@ -133,21 +121,6 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     }
 
     #[inline]
-    fn products(n: &Direction<Self>, l: &Direction<Self>, v: &Direction<Self>) -> (I2F30, I2F30) {
-        (Self::dot(n, l), Self::dot(n, v))
-    }
-
-    #[inline]
-    fn cosine(product: I2F30) -> I2F30 {
-        product
-    }
-
-    #[inline]
-    fn product_of(cosine: I2F30) -> I2F30 {
-        cosine
-    }
-
-    #[inline]
     fn upright(z: I2F30) -> I2F30 {
         z
     }
@@ -155,6 +128,14 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     #[inline]
     fn height(a: I2F30, b: I2F30) -> i32 {
         Self::difference(a, b)
+    }
+
+    #[inline]
+    fn tangential(n: I2F30, l: I2F30, v: I2F30, cosines: (I2F30, I2F30)) -> i32 {
+        let height = i64::from(cosines.0.to_bits()) + i64::from(cosines.1.to_bits());
+        let along =
+            (height * i64::from(n.to_bits()) + (1 << (COMPONENT_BITS - 1))) >> COMPONENT_BITS;
+        Self::sum(l, v).wrapping_sub(along as i32)
     }
 
     #[inline]
@@ -168,26 +149,6 @@ impl<const CELLS: usize> Arithmetic for Q31<CELLS> {
     #[inline]
     fn half(square: u64) -> u64 {
         square
-    }
-
-    #[inline]
-    fn world_versine(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        cosines: (I2F30, I2F30),
-    ) -> Self::Versine {
-        Self::versine_by_coordinates(n, l, v, cosines)
-    }
-
-    #[inline]
-    fn world_separation(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        cosines: (I2F30, I2F30),
-    ) -> Self::Separation {
-        Self::square(Self::projected(n, l, v, cosines))
     }
 
     #[inline]

@@ -16,18 +16,8 @@ use crate::arithmetic::Arithmetic;
 /// All of them are symmetric in L and V, bit for bit, which makes the models
 /// reciprocal. R is L mirrored at the normal.
 pub trait Geometry<A: Arithmetic> {
-    /// Whether [`Self::versine`] takes so long that a core without a long
-    /// multiply had better ask first whether anything is lit.
-    const DEAR: bool = false;
-
     /// N·L and N·V.
     fn cosines(&self) -> (A::Cosine, A::Cosine);
-    /// The same as they are compared and divided, with fewer bits to form.
-    #[inline]
-    fn products(&self) -> (A::Product, A::Product) {
-        let (n_dot_l, n_dot_v) = self.cosines();
-        (A::product_of(n_dot_l), A::product_of(n_dot_v))
-    }
     /// 1 − R·V, as |R − V|²/2: no cancellation near the mirror direction.
     fn versine(&self) -> A::Versine;
     /// 1 − L·V, as |L − V|²/2.

@@ -5,8 +5,9 @@ use crate::arithmetic::Arithmetic;
 
 /// N, L and V in world space, all unit vectors of one frame.
 ///
-/// [`Arithmetic::world_versine`] says how 1 − R·V keeps its digits near the
-/// mirror direction, where it is the difference of two numbers. Each cosine carries
+/// With h = L + V, R − V has the projection h_P = h − (N·h)N on the base
+/// plane and the height N·L − N·V: a sum of small things near the mirror
+/// direction, where 1 − R·V would lose all its digits. Each cosine carries
 /// the absolute error of a dot product (f32: 8e-8), so grazing cosines below
 /// 1e-4 are better handed over in a shading frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,21 +15,15 @@ pub struct World<A: Arithmetic> {
     normal: Direction<A>,
     l: Direction<A>,
     v: Direction<A>,
-    products: (A::Product, A::Product),
+    cosines: (A::Cosine, A::Cosine),
 }
 
 impl<A: Arithmetic> World<A> {
     /// The pair of `l`, to the light, and `v`, to the viewer, at a surface
     /// with normal `n`.
-    #[cfg_attr(long_multiply, inline)]
-    #[cfg_attr(not(long_multiply), inline(always))]
+    #[inline]
     pub fn new(n: Direction<A>, l: Direction<A>, v: Direction<A>) -> Self {
-        Self {
-            normal: n,
-            l,
-            v,
-            products: A::products(&n, &l, &v),
-        }
+        Self::with_cosine(n, l, v, A::dot(&n, &v))
     }
 
     /// As [`Self::new`], where N·V is known: with several lights it is the
@@ -44,30 +39,37 @@ impl<A: Arithmetic> World<A> {
             normal: n,
             l,
             v,
-            products: (A::product_of(A::dot(&n, &l)), A::product_of(n_dot_v)),
+            cosines: (A::dot(&n, &l), n_dot_v),
         }
+    }
+
+    /// h_P, the sum of L and V without its part along the normal.
+    #[inline]
+    fn projected_sum(&self) -> [A::Offset; 3] {
+        let (n, l, v) = (&self.normal, &self.l, &self.v);
+        [
+            A::tangential(n.x, l.x, v.x, self.cosines),
+            A::tangential(n.y, l.y, v.y, self.cosines),
+            A::tangential(n.z, l.z, v.z, self.cosines),
+        ]
     }
 }
 
 impl<A: Arithmetic> Geometry<A> for World<A> {
-    const DEAR: bool = true;
-
-    #[cfg_attr(long_multiply, inline)]
-    #[cfg_attr(not(long_multiply), inline(always))]
+    #[inline]
     fn cosines(&self) -> (A::Cosine, A::Cosine) {
-        (A::cosine(self.products.0), A::cosine(self.products.1))
+        self.cosines
     }
 
-    #[cfg_attr(long_multiply, inline)]
-    #[cfg_attr(not(long_multiply), inline(always))]
-    fn products(&self) -> (A::Product, A::Product) {
-        self.products
-    }
-
-    #[cfg_attr(long_multiply, inline)]
-    #[cfg_attr(not(long_multiply), inline(always))]
+    #[inline]
     fn versine(&self) -> A::Versine {
-        A::world_versine(&self.normal, &self.l, &self.v, self.products)
+        let [x, y, z] = self.projected_sum();
+        A::half(A::square([
+            x,
+            y,
+            z,
+            A::height(self.cosines.0, self.cosines.1),
+        ]))
     }
 
     #[inline]
@@ -77,6 +79,6 @@ impl<A: Arithmetic> Geometry<A> for World<A> {
 
     #[inline]
     fn separation(&self) -> A::Separation {
-        A::world_separation(&self.normal, &self.l, &self.v, self.products)
+        A::square(self.projected_sum())
     }
 }

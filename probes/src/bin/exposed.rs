@@ -12,9 +12,7 @@ mod probe {
 
     use microbrdf::Rgb;
     use microbrdf::arithmetic::{Q15, Q31};
-    use microbrdf::brdf::{
-        DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch,
-    };
+    use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
     use microbrdf::fixed::types::{I2F14, I2F30, U2F30, U32F32};
     use microbrdf::geometry::{Direction, ShadingFrame, World};
     use microbrdf::shade::{LitSphere, LobeColours, Palette565, srgb8_direct};
@@ -43,10 +41,6 @@ mod probe {
         };
         if let Ok(lobe) = MetallicPhong::<Q15>::new(any()) {
             if let Ok(model) = ExposedPhong::new(lobe, gain()) {
-                show(model.shade(&frame));
-                show(model.shade(&world));
-            }
-            if let Ok(model) = DirectPhong::<1024>::new(&lobe, gain()) {
                 show(model.shade(&frame));
                 show(model.shade(&world));
             }

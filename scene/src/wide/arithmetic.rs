@@ -43,24 +43,11 @@ fn upright(n_dot_l: Lanes, n_dot_v: Lanes) -> Which {
     is_cosine(n_dot_l).and(is_cosine(n_dot_v))
 }
 
-/// L + V without its part along the normal.
-#[inline(always)]
-fn projected(
-    n: &Direction<Wide>,
-    l: &Direction<Wide>,
-    v: &Direction<Wide>,
-    (n_dot_l, n_dot_v): (Lanes, Lanes),
-) -> [Lanes; 3] {
-    let height = n_dot_l + n_dot_v;
-    [(n.x, l.x, v.x), (n.y, l.y, v.y), (n.z, l.z, v.z)].map(|(n, l, v)| (l + v) - height * n)
-}
-
 impl Arithmetic for Wide {
     const NAME: &'static str = One::NAME;
 
     type Component = Lanes;
     type Cosine = Lanes;
-    type Product = Lanes;
     type Offset = Lanes;
     type Separation = Lanes;
     type Versine = Lanes;
@@ -84,18 +71,6 @@ impl Arithmetic for Wide {
         a.x * b.x + a.y * b.y + a.z * b.z
     }
     #[inline(always)]
-    fn products(n: &Direction<Self>, l: &Direction<Self>, v: &Direction<Self>) -> (Lanes, Lanes) {
-        (Self::dot(n, l), Self::dot(n, v))
-    }
-    #[inline(always)]
-    fn cosine(product: Lanes) -> Lanes {
-        product
-    }
-    #[inline(always)]
-    fn product_of(cosine: Lanes) -> Lanes {
-        cosine
-    }
-    #[inline(always)]
     fn upright(z: Lanes) -> Lanes {
         z
     }
@@ -112,31 +87,16 @@ impl Arithmetic for Wide {
         a - b
     }
     #[inline(always)]
+    fn tangential(n: Lanes, l: Lanes, v: Lanes, cosines: (Lanes, Lanes)) -> Lanes {
+        (l + v) - (cosines.0 + cosines.1) * n
+    }
+    #[inline(always)]
     fn square<const N: usize>(offsets: [Lanes; N]) -> Lanes {
         (offsets.iter()).fold(Lanes::ZERO, |sum, offset| sum + *offset * *offset)
     }
     #[inline(always)]
     fn half(square: Lanes) -> Lanes {
         Lanes::all(0.5) * square
-    }
-    #[inline(always)]
-    fn world_versine(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        cosines: (Lanes, Lanes),
-    ) -> Lanes {
-        let [x, y, z] = projected(n, l, v, cosines);
-        Self::half(Self::square([x, y, z, cosines.0 - cosines.1]))
-    }
-    #[inline(always)]
-    fn world_separation(
-        n: &Direction<Self>,
-        l: &Direction<Self>,
-        v: &Direction<Self>,
-        cosines: (Lanes, Lanes),
-    ) -> Lanes {
-        Self::square(projected(n, l, v, cosines))
     }
 
     /// For one pixel at least.

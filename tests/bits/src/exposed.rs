@@ -3,9 +3,7 @@
 use fixed::types::{I2F14, U2F30, U32F32};
 use microbrdf::Rgb;
 use microbrdf::arithmetic::Q15;
-use microbrdf::brdf::{
-    DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch,
-};
+use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
 use microbrdf::geometry::{Direction, ShadingFrame, World};
 use microbrdf::table::{COSINE_KNOTS, CosineCurve};
 
@@ -44,11 +42,6 @@ pub fn exposed_checksums(count: usize, sink: Sink<'_>) {
         move |frame, world| [model.shade(frame), model.shade(world)]
     });
     sink("lobes", phong);
-    let direct = over(count, |gain, k| {
-        let model = DirectPhong::<256>::new(&lobes[k % lobes.len()], gain).expect("a gain");
-        move |frame, world| [model.shade(frame), model.shade(world)]
-    });
-    sink("lobes without interpolation", direct);
     sink("metals, 65 knots", metals::<65>(count, &lobes));
     sink("metals, 129 knots", metals::<129>(count, &lobes));
     sink("metals, 257 knots", metals::<257>(count, &lobes));
