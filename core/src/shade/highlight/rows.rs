@@ -229,7 +229,8 @@ impl<const STEPS: usize> LitSphere<STEPS> {
 
 impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     /// RGB565 codes of the next row, of fewer than 2¹⁶ pixels: 0 beside the sphere
-    /// and the lobe.
+    /// and the lobe. From 2¹⁶ on, and for pixels farther from the centre than
+    /// [`LitSphere::rows`] allows, they are any.
     pub fn shade(&mut self, pixels: &mut [u16]) {
         let count = pixels.len() as i32;
         // From both ends to where the lobe may begin: what is left is contiguous.
