@@ -4,10 +4,10 @@
 use microbrdf::Rgb;
 use microbrdf::arithmetic::Q15;
 use microbrdf::brdf::{
-    Brdf as _, ExposedMetal, ExposedPatch, ExposedPhong, Metal, MetallicPhong, Patch,
+    Brdf as _, DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, Metal, MetallicPhong, Patch,
 };
 use microbrdf::fixed::types::{I2F14, U2F30, U32F32};
-use microbrdf::geometry::{Direction, ShadingFrame, World};
+use microbrdf::geometry::{Direction, ShadingFrame, ShortWorld, World};
 use microbrdf::shade::{Palette565, srgb8, srgb8_direct};
 use microbrdf_reference::encode_srgb;
 use microbrdf_scene::{HostArithmetic, Material};
@@ -132,6 +132,28 @@ fn lobes_of_any_exponent() {
 }
 
 #[test]
+fn lobes_without_interpolation() {
+    let mut found = [0.0f64; 2];
+    for n in [1.5, 2.0, 3.7, 20.0, 100.0, 500.0, 5000.0, 1e5, 1e8] {
+        let text = format!("model = \"metallic-phong\", exponent = {n}");
+        let material = Material::from_argument(&text).expect("a lobe");
+        let peak = (n + 2.0) / std::f64::consts::TAU;
+        let lobe = MetallicPhong::<Q15<513>>::new(number(n)).expect("an exponent");
+        for (k, found) in [1.0, peak].into_iter().zip(&mut found) {
+            if k > 100.0 {
+                continue;
+            }
+            let model = DirectPhong::<4096>::new(&lobe, Rgb::grey(number(k))).expect("a gain");
+            let off = worst(&material, n, k, |pair| model.shade(pair));
+            *found = found.max(off);
+        }
+    }
+    println!("lobes without interpolation: {found:.3?}");
+    within(found[0], 0.62..=0.75);
+    within(found[1], 0.62..=0.75);
+}
+
+#[test]
 fn patches_of_any_radius() {
     let mut found = 0.0f64;
     for radius in [0.01, 0.05, 0.3, 1.0, 1.4, 2.0] {
@@ -232,6 +254,20 @@ fn channels_do_not_mix() {
             b: 0
         }
     );
+    // Half of a cell, whose 4096 hold the lobe's 0.44.
+    let direct = DirectPhong::<4096>::new(&lobe(20.0), gain).expect("a gain");
+    let Rgb { r, g, b } = direct.shade(&pair);
+    assert!(
+        (65_430..65_535).contains(&r) && g == r / 2 && b == 0,
+        "{r}, {g}, {b}"
+    );
+    let dark = DirectPhong::<4096>::new(&lobe(20.0), Rgb::grey(U32F32::ZERO)).expect("a gain");
+    assert_eq!(dark.shade(&pair), Rgb::grey(0));
+    let most = Rgb::grey(number(16_383.9));
+    let bright = DirectPhong::<4096>::new(&lobe(20.0), most).expect("a gain");
+    assert_eq!(bright.shade(&pair), Rgb::grey(65_535));
+    let error = DirectPhong::<4096>::new(&lobe(20.0), Rgb::grey(number(16_384.0)));
+    assert_eq!(error.expect_err("too bright").parameter, "gain");
     let patch = Patch::<Q15>::new(U2F30::from_num(0.1)).expect("a radius");
     let patch = ExposedPatch::<129>::new(patch, gain).expect("a gain");
     assert_eq!(
@@ -266,6 +302,7 @@ fn nothing_wraps_for_directions_of_any_length() {
         (
             ExposedMetal::<129, 65>::new(lobe(1.0), &curve, gain).expect("a gain"),
             ExposedPatch::<129>::new(patch, gain).expect("a gain"),
+            DirectPhong::<256>::new(&lobe(1.0), gain).expect("a gain"),
         )
     });
     let direction = |x, y, z| {
@@ -279,10 +316,15 @@ fn nothing_wraps_for_directions_of_any_length() {
                 for y in ends {
                     let (l, v) = (direction(x, y, lz), direction(y, -(x / 2), vz));
                     let frame = ShadingFrame::new(l, v);
-                    let world = World::new(direction(x / 3, y / 3, 15_000), l, v);
-                    for (metal, patch) in &models {
+                    let normal = direction(x / 3, y / 3, 15_000);
+                    let world = World::new(normal, l, v);
+                    let short = ShortWorld::new(normal, l, v);
+                    for (metal, patch, phong) in &models {
+                        lit += u32::from(phong.light(&frame).is_some());
+                        lit += u32::from(phong.light(&short).is_some());
                         lit += u32::from(metal.light(&frame).is_some());
                         lit += u32::from(metal.light(&world).is_some());
+                        lit += u32::from(metal.light(&short).is_some());
                         let light = patch.shade(&frame);
                         assert!(lz > 0 && vz >= 0 || light == Rgb::grey(0));
                         lit += u32::from(patch.shade(&world).r > 0);

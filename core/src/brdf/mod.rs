@@ -8,6 +8,7 @@
 //! * reflected radiance for unit normal irradiance: f · cosΘL = c · ρ, with
 //!   the share ρ = shape · cosΘL / cosᵖΘmin, bounded by the shape for p ≤ 1.
 
+mod direct_phong;
 mod exposed;
 mod exposed_patch;
 mod foreshortening;
@@ -21,6 +22,7 @@ mod phong;
 mod plastic;
 mod tinted;
 
+pub use direct_phong::DirectPhong;
 pub use exposed::{Exposed, ExposedMetal, ExposedPhong, Exposing};
 pub use exposed_patch::ExposedPatch;
 pub use foreshortening::{Flat, Foreshortening, Metallic, PowerModel};

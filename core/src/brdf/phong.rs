@@ -102,7 +102,7 @@ impl<A: Arithmetic, X: Axis, P: Foreshortening<A>> PhongLobe<A, X, P> {
 
     /// Its stored lobe cosⁿα.
     #[inline]
-    pub(super) fn power(&self) -> &A::Power {
+    pub(super) const fn power(&self) -> &A::Power {
         &self.power
     }
 

@@ -2,10 +2,12 @@
 
 mod direction;
 mod shading_frame;
+mod short_world;
 mod world;
 
 pub use direction::Direction;
 pub use shading_frame::ShadingFrame;
+pub use short_world::{Products, ShortWorld};
 pub use world::World;
 
 use crate::arithmetic::Arithmetic;

@@ -2,6 +2,7 @@
 
 mod cosine_curve;
 mod cosine_power;
+mod direct;
 mod exposed_curve;
 mod exposed_gain;
 mod exposure;
@@ -15,6 +16,7 @@ mod uniform;
 
 pub use cosine_curve::{COSINE_KNOTS, CosineCurve};
 pub use cosine_power::CosinePowerTable;
+pub(crate) use direct::DirectTable;
 pub use exposed_curve::ExposedCurve;
 pub use exposed_gain::ExposedGain;
 pub use profile_curve::{PROFILE_KNOTS, ProfileCurve};

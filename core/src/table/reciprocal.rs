@@ -52,9 +52,36 @@ pub(crate) fn quotient(a: u32, b: u32) -> u32 {
     ((a >> 16) * reciprocal + (1 << 14)) >> 15
 }
 
+/// Bits of a cell's number where each has one value.
+const DIRECT_BITS: u32 = 11;
+
+/// 2³¹/c at each cell's end, so that no quotient reaches 1.
+static DIRECT: [u16; 1 << DIRECT_BITS] = {
+    let mut table = [0; 1 << DIRECT_BITS];
+    let mut cell = 0;
+    while cell < 1usize << DIRECT_BITS {
+        let end = (1 << DIRECT_BITS) + cell as u32 + 1;
+        table[cell] = ((((1u64 << SCALE_BITS) - 1) << DIRECT_BITS) / ((end as u64) << 15)) as u16;
+        cell += 1;
+    }
+    table
+};
+
+/// As [`quotient`], with 31 fraction bits, in one look-up: at most 5.5e-4 of its
+/// value less, and 4e-5.
+///
+/// 4 KiB of table.
+#[inline(always)]
+pub(crate) fn quotient_direct(a: u32, b: u32) -> u32 {
+    let room = leading_zeros(b) % 32;
+    let (a, b) = (a << room, b << room);
+    let cell = (b >> (31 - DIRECT_BITS)) as usize % DIRECT.len();
+    (a >> 16).wrapping_mul(u32::from(DIRECT[cell]))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::quotient;
+    use super::{quotient, quotient_direct};
 
     const ONE: f64 = 4_294_967_296.0;
 
@@ -74,6 +101,23 @@ mod tests {
             }
         }
         assert!((5e-5..=1.6e-4).contains(&worst), "{worst:e}");
+    }
+
+    /// Never above the quotient, and within its bound below it.
+    #[test]
+    fn one_look_up_is_within_its_bound() {
+        let (mut worst, mut random) = (0.0f64, 1u32);
+        for i in 0..1u32 << 21 {
+            random = random.wrapping_mul(0x9E37_79B1).wrapping_add(i);
+            let b = (random >> (2 + i % 12)).max(2);
+            for a in [1, b / 100, b / 3, b - 1] {
+                let found = f64::from(quotient_direct(a.max(1), b)) / f64::from(1u32 << 31);
+                let exact = f64::from(a.max(1)) / f64::from(b);
+                assert!(found < 1.0 && found <= exact + 1.6e-5, "{a}/{b}: {found}");
+                worst = worst.max((exact - found - 3.1e-5) / exact);
+            }
+        }
+        assert!((4e-4..=5.5e-4).contains(&worst), "{worst:e}");
     }
 
     #[test]

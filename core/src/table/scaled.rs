@@ -129,13 +129,14 @@ impl<const KNOTS: usize> ScaledTable<KNOTS> {
     /// As [`Self::at`], with an entry's fraction bits; `None` beyond the last
     /// cell.
     #[inline]
-    pub(crate) fn entry_at(&self, coordinate: u32) -> Option<u32> {
+    pub(crate) const fn entry_at(&self, coordinate: u32) -> Option<u32> {
         if coordinate > self.limit {
             return None;
         }
         let position = coordinate.wrapping_mul(self.step);
         let cell = (position >> (32 - Self::CELL_BITS)) as usize;
-        let (&left, &right) = (self.knots.get(cell)?, self.knots.get(cell + 1)?);
+        // There is one more knot than cells.
+        let (left, right) = (self.knots[cell], self.knots[cell + 1]);
         let within = (position >> (32 - Self::CELL_BITS - POSITION_BITS)) % (1 << POSITION_BITS);
         // Curves fall: the difference is not negative.
         let fall = left.wrapping_sub(right).wrapping_mul(within) >> POSITION_BITS;

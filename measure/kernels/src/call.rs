@@ -19,6 +19,40 @@ pub struct Short {
     pub z: i16,
 }
 
+/// N, L and V of 16 bits, by value: without gaps, which Arm's cores are given in
+/// the words of [`Shorts`].
+#[cfg(target_arch = "arm")]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Three {
+    /// N.
+    pub n: Short,
+    /// L.
+    pub l: Short,
+    /// V.
+    pub v: Short,
+}
+
+/// N, L and V of 16 bits without gaps: words of two components each, the first in
+/// the lower half, and of the last one.
+pub type Shorts = extern "C" fn(u32, u32, u32, u32, u32) -> u64;
+
+#[cfg(not(target_arch = "arm"))]
+impl Short {
+    /// N, L and V of a call's words.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_words([a, b, c, d, e]: [u32; 5]) -> [Self; 3] {
+        let (low, high) = (|word: u32| word as i16, |word: u32| (word >> 16) as i16);
+        let short = |x, y, z| Self { x, y, z };
+        [
+            short(low(a), high(a), low(b)),
+            short(high(b), low(c), high(c)),
+            short(low(d), high(d), low(e)),
+        ]
+    }
+}
+
 #[cfg(not(target_os = "none"))]
 impl Short {
     /// From the components' bits.
@@ -57,6 +91,8 @@ pub enum Call {
     ShortSingle(extern "C" fn(Short, Short) -> u32),
     /// As [`Self::ShortWorld`], to such channels.
     ShortWorldPacked(extern "C" fn(Short, Short, Short) -> u64),
+    /// The same in fewer words.
+    ShortsPacked(Shorts),
     /// As [`Self::World`], with components of 16 bits.
     ShortWorld(extern "C" fn(Short, Short, Short, &mut Light)),
     /// The upper 16 of a number's 24 bits to a number.
@@ -124,7 +160,10 @@ impl Kernel {
     pub fn takes_normal(&self) -> bool {
         matches!(
             self.call,
-            Call::World(_) | Call::ShortWorld(_) | Call::ShortWorldPacked(_)
+            Call::World(_)
+                | Call::ShortWorld(_)
+                | Call::ShortWorldPacked(_)
+                | Call::ShortsPacked(_)
         )
     }
 
@@ -133,9 +172,10 @@ impl Kernel {
     #[must_use]
     pub fn light(&self, results: &[u32]) -> Vec<u32> {
         match (self.call, results) {
-            (Call::ShortPacked(_) | Call::ShortWorldPacked(_), &[first, second]) => {
-                [first, first >> 16, second].map(middle).to_vec()
-            }
+            (
+                Call::ShortPacked(_) | Call::ShortWorldPacked(_) | Call::ShortsPacked(_),
+                &[first, second],
+            ) => [first, first >> 16, second].map(middle).to_vec(),
             (Call::ShortSingle(_), &[only]) => vec![middle(only)],
             _ => results.to_vec(),
         }
@@ -195,6 +235,18 @@ impl Kernel {
                 let [n, l, v] = input.vectors.map(Short::new);
                 let words = [n, l, v].map(Short::words).concat();
                 (words, Vec::new(), halves(function(n, l, v)))
+            }
+            Call::ShortsPacked(function) => {
+                let component = |i: usize| input.vectors.as_flattened()[i] as u16;
+                let word =
+                    |i: usize| u32::from(component(2 * i)) | u32::from(component(2 * i + 1)) << 16;
+                let [a, b, c, d] = [0, 1, 2, 3].map(word);
+                let e = u32::from(component(8));
+                (
+                    vec![a, b, c, d, e],
+                    Vec::new(),
+                    halves(function(a, b, c, d, e)),
+                )
             }
             Call::ShortWorld(function) => {
                 let [n, l, v] = input.vectors.map(Short::new);

@@ -1,11 +1,17 @@
 //! Lobes with a light's gain in their tables: light of 16 bits, in registers.
 
 use microbrdf::arithmetic::Q15;
-use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
+use microbrdf::brdf::{
+    DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch,
+};
 use microbrdf::fixed::types::U32F32;
-use microbrdf::geometry::{ShadingFrame, World};
+use microbrdf::geometry::{ShadingFrame, ShortWorld, World};
 use microbrdf::{Rgb, constant};
 
+#[cfg(not(target_arch = "arm"))]
+use crate::call::Short;
+#[cfg(target_arch = "arm")]
+use crate::call::Three;
 #[cfg(not(target_os = "none"))]
 use crate::call::{Call, Kernel};
 use crate::gold::GOLD;
@@ -13,6 +19,11 @@ use crate::models::lobe_peak;
 use crate::ways::q15::{Vector, direction, number, radius};
 
 const LOBE_20: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(20.0)));
+/// What tables without interpolation are made of.
+const FINE_20: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(20.0)));
+const FINE_500: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(500.0)));
+const FINE_5000: MetallicPhong<Q15<513>> =
+    constant!(MetallicPhong::<Q15<513>>::new(number(5000.0)));
 const LOBE_500: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(500.0)));
 const DISC: Patch<Q15> = constant!(Patch::<Q15>::new(radius(0.3)));
 /// 1/(πR²) of that.
@@ -75,16 +86,31 @@ macro_rules! shade {
             )
         }
     };
+    (direct $symbol:literal) => {
+        #[doc = $symbol]
+        #[cfg(target_arch = "arm")]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(Three { n, l, v }: Three) -> u64 {
+            let [n, l, v] = [n, l, v].map(direction);
+            packed(MODEL.light(&ShortWorld::<129>::new(n, l, v)))
+        }
+
+        /// As it is called on cores that get a struct behind a pointer.
+        #[cfg(not(target_arch = "arm"))]
+        #[allow(unsafe_code)]
+        #[unsafe(export_name = $symbol)]
+        pub extern "C" fn shade(a: u32, b: u32, c: u32, d: u32, e: u32) -> u64 {
+            let [n, l, v] = Short::of_words([a, b, c, d, e]).map(direction);
+            packed(MODEL.light(&ShortWorld::<129>::new(n, l, v)))
+        }
+    };
     (world $symbol:literal) => {
         #[doc = $symbol]
         #[allow(unsafe_code)]
         #[unsafe(export_name = $symbol)]
         pub extern "C" fn shade(n: Vector<'_>, l: Vector<'_>, v: Vector<'_>) -> u64 {
-            packed(Some(MODEL.shade(&World::new(
-                direction(n),
-                direction(l),
-                direction(v),
-            ))))
+            packed(MODEL.light(&World::new(direction(n), direction(l), direction(v))))
         }
     };
 }
@@ -97,6 +123,9 @@ macro_rules! call {
     (grey $module:ident) => {
         Call::ShortSingle($module::shade)
     };
+    (direct $module:ident) => {
+        Call::ShortsPacked($module::shade)
+    };
     (world $module:ident) => {
         Call::ShortWorldPacked($module::shade)
     };
@@ -106,6 +135,9 @@ macro_rules! call {
 macro_rules! variant {
     (world) => {
         "world space, gain in the table, 129 knots"
+    };
+    (direct) => {
+        "world space, gain in the table, no interpolation, 4096 cells"
     };
     ($other:ident) => {
         "gain in the table, 129 knots"
@@ -129,6 +161,14 @@ exposed! {
         "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
     world phong_20_kc "q15_exposed_world_metallic_phong_20_kc": ExposedPhong = ExposedPhong::new(LOBE_20, grey(lobe_peak(20.0))),
         "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    direct direct_20_k1 "q15_direct_world_metallic_phong_20_k1": DirectPhong = DirectPhong::new(&FINE_20, grey(1.0)),
+        "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
+    direct direct_20_kc "q15_direct_world_metallic_phong_20_kc": DirectPhong = DirectPhong::new(&FINE_20, grey(lobe_peak(20.0))),
+        "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    direct direct_500_kc "q15_direct_world_metallic_phong_500_kc": DirectPhong = DirectPhong::new(&FINE_500, grey(lobe_peak(500.0))),
+        "metallic-phong" "exponent = 500" about 500.0, "c" lobe_peak(500.0);
+    direct direct_5000_k1 "q15_direct_world_metallic_phong_5000_k1": DirectPhong = DirectPhong::new(&FINE_5000, grey(1.0)),
+        "metallic-phong" "exponent = 5000" about 5000.0, "1" 1.0;
     world gold_20_kc_world "q15_exposed_world_gold_20_kc": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(lobe_peak(20.0))),
         "metal" "metal = \"gold\", exponent = 20" about 20.0, "c" lobe_peak(20.0);
 }

@@ -85,20 +85,17 @@ const GOALS: [Goal; 7] = [
         why: "",
     },
     Goal {
-        title: "world-space N, L, V in, RGB out",
+        title: "world-space N, L, V in, RGB out: with 20 KiB of tables",
         kernels: &[
-            "q15_exposed_world_metallic_phong_20_k1",
-            "q15_exposed_world_metallic_phong_20_kc",
+            "q15_direct_world_metallic_phong_20_k1",
+            "q15_direct_world_metallic_phong_20_kc",
+            "q15_direct_world_metallic_phong_500_kc",
+            "q15_direct_world_metallic_phong_5000_k1",
         ],
         at_once: 1.0,
         at_most: [190.0, 120.0, 70.0],
         parts: &["q15_world_versine"],
-        why: "1 − R·V alone takes most of the goal; what follows it, all of the table's first row but a \
-              geometry of half a dozen instructions, takes more than is left. Nine components are unpacked for two dot products and three coordinates of L + V \
-              without its part along N, each of them with a product, a rounding and a square of its own; \
-              so many values need every register, whose saving is counted, too. A formula in the \
-              cosines alone, 1 + L·V − 2(N·L)(N·V), would take nine products and half the rest, and \
-              lose the highlight's digits where 14-bit directions cancel.",
+        why: "",
     },
     Goal {
         title: "whole sphere pixel to RGB565, any n, at most one level off: of a tile's 16 rows of 64",

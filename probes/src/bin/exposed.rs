@@ -12,9 +12,11 @@ mod probe {
 
     use microbrdf::Rgb;
     use microbrdf::arithmetic::{Q15, Q31};
-    use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
+    use microbrdf::brdf::{
+        DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch,
+    };
     use microbrdf::fixed::types::{I2F14, I2F30, U2F30, U32F32};
-    use microbrdf::geometry::{Direction, ShadingFrame, World};
+    use microbrdf::geometry::{Direction, ShadingFrame, ShortWorld, World};
     use microbrdf::shade::{LitSphere, LobeColours, Palette565, srgb8_direct};
     use microbrdf::table::{COSINE_KNOTS, CosineCurve};
     // Brings the handler.
@@ -32,7 +34,9 @@ mod probe {
             Direction::new(vx, vy, vz),
         );
         let frame = ShadingFrame::new(l, v);
-        let world = World::new(Direction::new(nx, ny, nz), l, v);
+        let normal = Direction::new(nx, ny, nz);
+        let world = World::new(normal, l, v);
+        let short = ShortWorld::new(normal, l, v);
         let any = || U32F32::from_bits(black_box(0));
         let gain = || Rgb {
             r: any(),
@@ -43,6 +47,10 @@ mod probe {
             if let Ok(model) = ExposedPhong::new(lobe, gain()) {
                 show(model.shade(&frame));
                 show(model.shade(&world));
+            }
+            if let Ok(model) = DirectPhong::<1024>::new(&lobe, gain()) {
+                show(model.shade(&frame));
+                show(model.shade(&short));
             }
             let curve = CosineCurve::from_entries(black_box([[0; 3]; COSINE_KNOTS]));
             if let Ok(model) = ExposedMetal::<129, 65>::new(lobe, &curve, gain()) {

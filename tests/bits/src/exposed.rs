@@ -3,8 +3,10 @@
 use fixed::types::{I2F14, U2F30, U32F32};
 use microbrdf::Rgb;
 use microbrdf::arithmetic::Q15;
-use microbrdf::brdf::{ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch};
-use microbrdf::geometry::{Direction, ShadingFrame, World};
+use microbrdf::brdf::{
+    DirectPhong, ExposedMetal, ExposedPatch, ExposedPhong, MetallicPhong, Patch,
+};
+use microbrdf::geometry::{Direction, ShadingFrame, ShortWorld, World};
 use microbrdf::table::{COSINE_KNOTS, CosineCurve};
 
 use crate::raw::Checksum;
@@ -42,6 +44,11 @@ pub fn exposed_checksums(count: usize, sink: Sink<'_>) {
         move |frame, world| [model.shade(frame), model.shade(world)]
     });
     sink("lobes", phong);
+    let direct = in_space(count, ShortWorld::new, |gain, k| {
+        let model = DirectPhong::<256>::new(&lobes[k % lobes.len()], gain).expect("a gain");
+        move |frame, world| [model.shade(frame), model.shade(world)]
+    });
+    sink("lobes without interpolation", direct);
     sink("metals, 65 knots", metals::<65>(count, &lobes));
     sink("metals, 129 knots", metals::<129>(count, &lobes));
     sink("metals, 257 knots", metals::<257>(count, &lobes));
@@ -75,9 +82,19 @@ fn bent() -> CosineCurve {
 }
 
 type Frame = ShadingFrame<Q15>;
+type Vector = Direction<Q15>;
 
 fn over<F: Fn(&Frame, &World<Q15>) -> [Rgb<u16>; 2]>(
     count: usize,
+    model: impl Fn(Rgb<U32F32>, usize) -> F,
+) -> u64 {
+    in_space(count, World::new, model)
+}
+
+/// As [`over`], in another world space.
+fn in_space<W, F: Fn(&Frame, &W) -> [Rgb<u16>; 2]>(
+    count: usize,
+    world: fn(Vector, Vector, Vector) -> W,
     model: impl Fn(Rgb<U32F32>, usize) -> F,
 ) -> u64 {
     let mut sum = Checksum::new();
@@ -93,7 +110,7 @@ fn over<F: Fn(&Frame, &World<Q15>) -> [Rgb<u16>; 2]>(
                     Direction::<Q15>::new(x, y, z)
                 });
                 let up = Direction::new(I2F14::ZERO, I2F14::ZERO, I2F14::ONE);
-                for light in shade(&ShadingFrame::new(l, v), &World::new(up, l, v)) {
+                for light in shade(&ShadingFrame::new(l, v), &world(up, l, v)) {
                     for channel in light.to_array() {
                         sum.feed(u32::from(channel));
                     }
