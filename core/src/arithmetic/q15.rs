@@ -2,13 +2,13 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
-use super::short::{FACTOR, scale, scale_by_half};
+use super::short::{FACTOR, scale, upper_product};
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
 use crate::shade::Linear;
 use crate::table::{
-    CosineCurve, CosinePowerTable, ProfileCurve, ScaledTable, SquareCurve, reciprocal, root,
+    CosineCurve, CosinePowerTable, ProfileCurve, Ratio15, ScaledTable, SquareCurve, root,
 };
 
 /// Fraction bits of a component.
@@ -111,8 +111,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     /// 29 fraction bits.
     type Versine = u32;
     type Unit = U1F31;
-    /// 16 fraction bits: below 1.
-    type Ratio = u32;
+    type Ratio = Ratio15;
     type Scale = U32F32;
     type Radiance = U32F32;
     type Value = U64F64;
@@ -231,26 +230,24 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     }
 
     #[inline]
-    fn ratio(a: i32, b: i32) -> Option<u32> {
+    fn ratio(a: i32, b: i32) -> Option<Ratio15> {
         if a >= b {
             None
         } else {
-            Some(reciprocal::quotient(a as u32, b as u32))
+            Some(Ratio15::new(a as u32, b as u32))
         }
     }
 
-    /// Truncates: off by less than 2⁻³¹.
+    /// Truncates: off by less than 2⁻²⁹.
     #[inline]
-    fn attenuate(share: U1F31, ratio: u32) -> U1F31 {
-        U1F31::from_bits(scale_by_half(share.to_bits(), ratio))
+    fn attenuate(share: U1F31, ratio: Ratio15) -> U1F31 {
+        U1F31::from_bits(ratio.of(share.to_bits()))
     }
 
-    /// The cosine is taken to 15 fraction bits.
+    /// Truncates: off by less than 2⁻²⁹.
     #[inline]
     fn foreshorten(share: U1F31, cosine: i32) -> U1F31 {
-        // 31 fraction bits.
-        let cosine = (cosine as u32) << 1;
-        U1F31::from_bits(scale(share.to_bits(), cosine) << 1)
+        U1F31::from_bits(upper_product(share.to_bits(), cosine as u32) << 2)
     }
 
     #[inline]

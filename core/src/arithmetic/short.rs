@@ -32,6 +32,33 @@ fn scale_by_halves(share: u32, factor: u32) -> u32 {
     (share >> 16) * factor + (((share & 0xFFFF) * factor) >> 16)
 }
 
+/// a · b / 2³² for a of at most 2³¹ and b below it; rounded down.
+#[inline]
+pub(crate) fn upper_product(a: u32, b: u32) -> u32 {
+    if cfg!(long_multiply) {
+        upper_product_at_once(a, b)
+    } else {
+        upper_product_by_halves(a, b)
+    }
+}
+
+#[inline]
+fn upper_product_at_once(a: u32, b: u32) -> u32 {
+    ((u64::from(a) * u64::from(b)) >> 32) as u32
+}
+
+/// In products of 32 bits.
+// Where b is known to have no lower half, half of it is left.
+#[inline]
+fn upper_product_by_halves(a: u32, b: u32) -> u32 {
+    let (upper, lower) = (|word: u32| word >> 16, |word: u32| word & 0xFFFF);
+    let product = |a: u32, b: u32| a.wrapping_mul(b);
+    // Less than 2³¹ each, by a's and b's bounds.
+    let crossed = product(upper(b), lower(a)).wrapping_add(product(upper(a), lower(b)));
+    let middle = crossed.wrapping_add(upper(product(lower(a), lower(b))));
+    product(upper(a), upper(b)).wrapping_add(upper(middle))
+}
+
 /// share · factor / 2 for a factor below 2³¹ with 31 fraction bits, of which the
 /// upper 15 are taken; rounded down. The share is below 2³¹.
 #[inline(always)]
@@ -119,8 +146,29 @@ fn leading_zeros_by_table(number: u32) -> u32 {
 mod tests {
     use super::{
         leading_zeros_by_table, product_at_once, product_by_halves, scale, scale_at_once,
-        scale_by_halves, scale_by_upper_half,
+        scale_by_halves, scale_by_upper_half, upper_product_at_once, upper_product_by_halves,
     };
+
+    #[test]
+    fn both_ways_to_take_a_product_s_upper_half_agree() {
+        let agree = |a, b| {
+            assert_eq!(
+                upper_product_by_halves(a, b),
+                upper_product_at_once(a, b),
+                "{a}, {b}"
+            );
+        };
+        let mut word = 1u32;
+        for i in 0..1u32 << 22 {
+            word = word.wrapping_mul(0x9E37_79B1).wrapping_add(i);
+            agree(word >> (1 + i % 16), word.rotate_left(13) >> (1 + i % 5));
+        }
+        for a in [0, 1, 0xFFFF, 0x7FFF_FFFF, 0x8000_0000] {
+            for b in [0, 1, 0xFFFF, 0x7FFF_0000, 0x7FFF_FFFF] {
+                agree(a, b);
+            }
+        }
+    }
 
     #[test]
     fn both_ways_to_multiply_cosines_give_the_same_bits() {

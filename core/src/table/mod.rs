@@ -20,6 +20,7 @@ pub(crate) use direct::DirectTable;
 pub use exposed_curve::ExposedCurve;
 pub use exposed_gain::ExposedGain;
 pub use profile_curve::{PROFILE_KNOTS, ProfileCurve};
+pub use reciprocal::Ratio15;
 pub(crate) use scaled::ENTRY_BITS;
 pub use scaled::ScaledTable;
 pub use square_curve::{SQUARE_KNOTS, SquareCurve};
