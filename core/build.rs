@@ -8,7 +8,6 @@ fn main() {
     println!("cargo::rustc-check-cfg=cfg(long_multiply)");
     println!("cargo::rustc-check-cfg=cfg(count_zeros)");
     println!("cargo::rustc-check-cfg=cfg(saturates)");
-    println!("cargo::rustc-check-cfg=cfg(halves)");
     let target = env::var("TARGET").unwrap_or_default();
     let small_arm = target.starts_with("thumbv6m") || target.starts_with("thumbv8m.base");
     let risc_v = target.starts_with("riscv");
@@ -17,10 +16,6 @@ fn main() {
     }
     if target.starts_with("thumb") && !small_arm {
         println!("cargo::rustc-cfg=saturates");
-    }
-    // Products with either half of a word.
-    if target.starts_with("thumbv7em") || target.starts_with("thumbv8m.main") {
-        println!("cargo::rustc-cfg=halves");
     }
     // RISC-V counts zeros with its extension Zbb alone.
     let features = env::var("CARGO_CFG_TARGET_FEATURE").unwrap_or_default();

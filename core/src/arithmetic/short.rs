@@ -59,27 +59,9 @@ fn upper_product_by_halves(a: u32, b: u32) -> u32 {
     product(upper(a), upper(b)).wrapping_add(upper(middle))
 }
 
-/// share · factor / 2 for a factor below 2³¹ with 31 fraction bits, of which the
-/// upper 15 are taken; rounded down. The share is below 2³¹.
+/// The product of two cosines with 28 fraction bits, with `BITS` of them, 26 or 28;
+/// rounded down. Of numbers from 2 on it is any.
 #[inline(always)]
-pub(crate) fn scale_by_upper(share: u32, factor: u32) -> u32 {
-    if cfg!(halves) {
-        scale_by_upper_half(share, factor)
-    } else {
-        scale(share, factor)
-    }
-}
-
-/// One instruction of a core that multiplies by either half of a word.
-#[inline(always)]
-fn scale_by_upper_half(share: u32, factor: u32) -> u32 {
-    ((i64::from(share as i32) * i64::from(factor as i32 >> 16)) >> 16) as u32
-}
-
-/// The product of two cosines with 28 fraction bits, with `BITS` of them; rounded
-/// down. With 24 it is a word's upper half; of numbers from 2 on it is any.
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
 pub(crate) fn product_of_cosines<const BITS: u32>(a: i32, b: i32) -> i32 {
     if cfg!(long_multiply) {
         product_at_once::<BITS>(a, b)
@@ -88,15 +70,15 @@ pub(crate) fn product_of_cosines<const BITS: u32>(a: i32, b: i32) -> i32 {
     }
 }
 
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
+#[inline(always)]
 fn product_at_once<const BITS: u32>(a: i32, b: i32) -> i32 {
-    ((i64::from(a) * i64::from(b)) >> (56 - BITS)) as i32
+    // With 26 bits it is a word's upper half: fewer registers.
+    let room = if BITS == 26 { 2 } else { 0 };
+    ((i64::from(a << room) * i64::from(b)) >> (56 + room - BITS)) as i32
 }
 
 /// In products of 32 bits: halves of 14.
-#[cfg_attr(long_multiply, inline)]
-#[cfg_attr(not(long_multiply), inline(always))]
+#[inline(always)]
 fn product_by_halves<const BITS: u32>(a: i32, b: i32) -> i32 {
     let (high, low) = (|c: i32| c >> 14, |c: i32| c & 0x3FFF);
     let product = |a: i32, b: i32| a.wrapping_mul(b);
@@ -145,8 +127,8 @@ fn leading_zeros_by_table(number: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::{
-        leading_zeros_by_table, product_at_once, product_by_halves, scale, scale_at_once,
-        scale_by_halves, scale_by_upper_half, upper_product_at_once, upper_product_by_halves,
+        leading_zeros_by_table, product_at_once, product_by_halves, scale_at_once, scale_by_halves,
+        upper_product_at_once, upper_product_by_halves,
     };
 
     #[test]
@@ -177,12 +159,11 @@ mod tests {
             a = a.wrapping_mul(0x1E37_79B1).wrapping_add(i);
             for b in [0, 1, -1, -1 << 28, 1 << 28, a.rotate_left(9) >> 3] {
                 let a = a >> 3;
-                assert_eq!(product_by_halves::<24>(a, b), product_at_once::<24>(a, b));
+                assert_eq!(product_by_halves::<26>(a, b), product_at_once::<26>(a, b));
                 assert_eq!(product_by_halves::<28>(a, b), product_at_once::<28>(a, b));
             }
         }
-        assert_eq!(product_by_halves::<24>(1 << 28, 1 << 28), 1 << 24);
-        assert_eq!(product_at_once::<24>(1 << 28, -1 << 28), -1 << 24);
+        assert_eq!(product_by_halves::<26>(1 << 28, -1 << 28), -1 << 26);
     }
 
     #[test]
@@ -195,16 +176,6 @@ mod tests {
             }
         }
         assert_eq!(scale_by_halves(u32::MAX, 0xFFFF), 0xFFFE_FFFF);
-    }
-
-    #[test]
-    fn both_ways_to_take_an_upper_half_agree() {
-        let mut word = 1u32;
-        for i in 0..1u32 << 20 {
-            word = word.wrapping_mul(0x9E37_79B1).wrapping_add(i);
-            let (share, factor) = (word >> (1 + i % 8), word.rotate_left(11) >> 1);
-            assert_eq!(scale_by_upper_half(share, factor), scale(share, factor));
-        }
     }
 
     #[test]
