@@ -370,11 +370,48 @@ pub const BUGS: &[Bug] = &[
     bug(
         "a ratio of cosines just below 1 wraps around",
         "core/src/table/reciprocal.rs",
-        "/ (c * c * c) + 3;",
+        "/ (c * c * c) + 4;",
         "/ (c * c * c);",
         &["lib"],
     )
     .of("core"),
+    bug(
+        "a quotient of two cosines is cut to 16 bits",
+        "core/src/table/reciprocal.rs",
+        "            dividend: a >> 1,\n            reciprocal: (cell",
+        "            dividend: a >> 1 & !0xFFFF,\n            reciprocal: (cell",
+        &["accuracy"],
+    ),
+    bug(
+        "a cosine is cut to 15 bits (q15)",
+        "core/src/arithmetic/q15.rs",
+        "product_down::<30>(share.to_bits(), cosine as u32)",
+        "product_down::<30>(share.to_bits(), cosine as u32 & !0x7FFF)",
+        &["accuracy"],
+    ),
+    bug(
+        "a quotient of one look-up takes the next divisor's cell",
+        "core/src/table/reciprocal.rs",
+        "let cell = (b >> (31 - DIRECT_BITS)) as usize % DIRECT.len();",
+        "let cell = ((b >> (31 - DIRECT_BITS)) as usize + 1) % DIRECT.len();",
+        &["lib"],
+    )
+    .of("core"),
+    bug(
+        "1 − R·V does not make good that N is rounded",
+        "core/src/geometry/short_world.rs",
+        "let scaled = square.wrapping_add(((square >> 16) * excess) >> 12);",
+        "let _ = excess; let scaled = square;",
+        &["lib"],
+    )
+    .of("core"),
+    bug(
+        "a cell without interpolation has the curve at its beginning",
+        "core/src/table/direct.rs",
+        "let middle = ((2 * cell as u64 + 1) << width) / 2;",
+        "let middle = ((2 * cell as u64) << width) / 2;",
+        &["exposed"],
+    ),
     bug(
         "exposed light wraps around (q15)",
         "core/src/arithmetic/q15.rs",

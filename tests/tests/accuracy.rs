@@ -5,6 +5,7 @@ use microbrdf::arithmetic::{F32, Micromath, Q15, Q31};
 use microbrdf_scene::HostArithmetic;
 use microbrdf_tests::domain::Set;
 use microbrdf_tests::error::Subject;
+use microbrdf_tests::grazing;
 use microbrdf_tests::registry;
 use microbrdf_tests::tolerance::{Exposure, SLACK, TABLE, find};
 
@@ -79,4 +80,20 @@ fn every_model_stays_within_its_tolerance_and_every_tolerance_is_tight() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Whatever the larger cosine is, in the shading frame and in world space, at K = 1
+/// and at K = c; by sums of products for narrow lobes, too.
+#[test]
+fn q15_is_at_most_one_code_off() {
+    let found = grazing::found();
+    let sums_of_products = found.by_peak.iter().flat_map(|columns| &columns[2..]);
+    let all = found
+        .by_cosine
+        .as_flattened()
+        .iter()
+        .chain(sums_of_products);
+    for (lsb, codes) in all {
+        assert!(*codes <= 1 && (0.5..1.5).contains(lsb), "{found:?}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
-use super::short::{FACTOR, scale, upper_product};
+use super::short::{FACTOR, product_down, scale};
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -244,10 +244,10 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         U1F31::from_bits(ratio.of(share.to_bits()))
     }
 
-    /// Truncates: off by less than 2⁻²⁹.
+    /// Truncates: off by less than 2⁻³¹.
     #[inline]
     fn foreshorten(share: U1F31, cosine: i32) -> U1F31 {
-        U1F31::from_bits(upper_product(share.to_bits(), cosine as u32) << 2)
+        U1F31::from_bits(product_down::<30>(share.to_bits(), cosine as u32))
     }
 
     #[inline]

@@ -32,31 +32,31 @@ fn scale_by_halves(share: u32, factor: u32) -> u32 {
     (share >> 16) * factor + (((share & 0xFFFF) * factor) >> 16)
 }
 
-/// a · b / 2³² for a of at most 2³¹ and b below it; rounded down.
-#[inline]
-pub(crate) fn upper_product(a: u32, b: u32) -> u32 {
+/// a · b / 2^`DOWN` for a of at most 2³¹ and b below it, `DOWN` 30 or 32; rounded down.
+#[inline(always)]
+pub(crate) fn product_down<const DOWN: u32>(a: u32, b: u32) -> u32 {
     if cfg!(long_multiply) {
-        upper_product_at_once(a, b)
+        product_down_at_once::<DOWN>(a, b)
     } else {
-        upper_product_by_halves(a, b)
+        product_down_by_halves::<DOWN>(a, b)
     }
 }
 
-#[inline]
-fn upper_product_at_once(a: u32, b: u32) -> u32 {
-    ((u64::from(a) * u64::from(b)) >> 32) as u32
+#[inline(always)]
+fn product_down_at_once<const DOWN: u32>(a: u32, b: u32) -> u32 {
+    ((u64::from(a) * u64::from(b)) >> DOWN) as u32
 }
 
 /// In products of 32 bits.
 // Where b is known to have no lower half, half of it is left.
-#[inline]
-fn upper_product_by_halves(a: u32, b: u32) -> u32 {
+#[inline(always)]
+fn product_down_by_halves<const DOWN: u32>(a: u32, b: u32) -> u32 {
     let (upper, lower) = (|word: u32| word >> 16, |word: u32| word & 0xFFFF);
     let product = |a: u32, b: u32| a.wrapping_mul(b);
     // Less than 2³¹ each, by a's and b's bounds.
     let crossed = product(upper(b), lower(a)).wrapping_add(product(upper(a), lower(b)));
     let middle = crossed.wrapping_add(upper(product(lower(a), lower(b))));
-    product(upper(a), upper(b)).wrapping_add(upper(middle))
+    (product(upper(a), upper(b)) << (32 - DOWN)).wrapping_add(middle >> (DOWN - 16))
 }
 
 /// The product of two cosines with 28 fraction bits, with `BITS` of them, 26 or 28;
@@ -127,27 +127,30 @@ fn leading_zeros_by_table(number: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::{
-        leading_zeros_by_table, product_at_once, product_by_halves, scale_at_once, scale_by_halves,
-        upper_product_at_once, upper_product_by_halves,
+        leading_zeros_by_table, product_at_once, product_by_halves, product_down_at_once,
+        product_down_by_halves, scale_at_once, scale_by_halves,
     };
 
     #[test]
-    fn both_ways_to_take_a_product_s_upper_half_agree() {
-        let agree = |a, b| {
+    fn both_ways_to_take_a_product_down_agree() {
+        fn agree<const DOWN: u32>(a: u32, b: u32) {
             assert_eq!(
-                upper_product_by_halves(a, b),
-                upper_product_at_once(a, b),
+                product_down_by_halves::<DOWN>(a, b),
+                product_down_at_once::<DOWN>(a, b),
                 "{a}, {b}"
             );
-        };
+        }
         let mut word = 1u32;
         for i in 0..1u32 << 22 {
             word = word.wrapping_mul(0x9E37_79B1).wrapping_add(i);
-            agree(word >> (1 + i % 16), word.rotate_left(13) >> (1 + i % 5));
+            let (a, b) = (word >> (1 + i % 16), word.rotate_left(13) >> (1 + i % 5));
+            agree::<30>(a, b);
+            agree::<32>(a, b);
         }
         for a in [0, 1, 0xFFFF, 0x7FFF_FFFF, 0x8000_0000] {
             for b in [0, 1, 0xFFFF, 0x7FFF_0000, 0x7FFF_FFFF] {
-                agree(a, b);
+                agree::<30>(a, b);
+                agree::<32>(a, b);
             }
         }
     }

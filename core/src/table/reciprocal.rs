@@ -1,6 +1,6 @@
 //! Quotients of two cosines, without a division.
 
-use crate::arithmetic::short::{leading_zeros, scale_by_half, upper_product};
+use crate::arithmetic::short::{leading_zeros, product_down, scale_by_half};
 
 /// Cells in [1/2, 1) of a divisor of 16 bits.
 const FIRST: u32 = 64;
@@ -81,7 +81,7 @@ impl Ratio15 {
     /// The quotient's part of a `share` of at most 2³¹, cut off within four steps.
     #[inline]
     pub(crate) fn of(self, share: u32) -> u32 {
-        let part = upper_product(share, self.dividend);
+        let part = product_down::<32>(share, self.dividend);
         scale_by_half(part << 2, self.reciprocal)
     }
 }
