@@ -52,13 +52,14 @@ impl Ratio15 {
     /// 256 bytes of table.
     #[inline]
     pub(crate) fn new(a: u32, b: u32) -> Self {
-        // The divisor's highest bit becomes the word's.
-        let room = leading_zeros(b) % 32;
+        // What a dividend of few digits has none of in its lower half is not multiplied:
+        // a shift to the right would move them there.
+        let room = leading_zeros(b).wrapping_sub(1) % 32;
         let (a, b) = (a << room, b << room);
-        let cell = CELLS[(b >> (CELL_BITS + 16)) as usize % CELLS.len()];
-        let within = (b >> 16) % (1 << CELL_BITS);
+        let cell = CELLS[(b >> (CELL_BITS + 15)) as usize % CELLS.len()];
+        let within = (b >> 15) % (1 << CELL_BITS);
         Self {
-            dividend: a >> 1,
+            dividend: a,
             reciprocal: (cell >> 16) - (((cell & 0xFFFF) * within) >> CELL_BITS),
         }
     }
