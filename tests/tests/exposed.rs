@@ -195,6 +195,26 @@ fn lobes_without_interpolation() {
     within(in_world[1], 0.62..=0.85);
 }
 
+/// Where a lobe of exponent 1 ends, light falls to 0 along a straight line, which is
+/// where a cell's width shows most.
+#[test]
+fn the_end_of_a_lobe_without_interpolation() {
+    fn end<const CELLS: usize>() -> f64 {
+        let lobe = MetallicPhong::<Q15<513>>::new(number(1.0)).expect("an exponent");
+        let model = DirectPhong::<CELLS>::new(&lobe, Rgb::grey(U32F32::ONE)).expect("a gain");
+        let up = Direction::new(I2F14::ZERO, I2F14::ZERO, I2F14::ONE);
+        let at = |z: i16| {
+            let cosine = f64::from(z) / 16_384.0;
+            let v = rounded::<Q15>([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]);
+            let light = model.shade(&ShortWorld::new(up, up, v));
+            off(light, 1.0, [cosine; 3])
+        };
+        (1..2000).map(at).fold(0.0, f64::max)
+    }
+    within(end::<4096>(), 0.75..=0.85);
+    within(end::<8192>(), 0.60..=0.75);
+}
+
 #[test]
 fn patches_of_any_radius() {
     let mut found = 0.0f64;

@@ -20,6 +20,7 @@ use crate::ways::q15::{Vector, direction, number, radius};
 
 const LOBE_20: MetallicPhong<Q15> = constant!(MetallicPhong::<Q15>::new(number(20.0)));
 /// What tables without interpolation are made of.
+const FINE_1: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(1.0)));
 const FINE_20: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(20.0)));
 const FINE_500: MetallicPhong<Q15<513>> = constant!(MetallicPhong::<Q15<513>>::new(number(500.0)));
 const FINE_5000: MetallicPhong<Q15<513>> =
@@ -105,6 +106,9 @@ macro_rules! shade {
             packed(MODEL.light(&ShortWorld::<129>::new(n, l, v)))
         }
     };
+    (direct_fine $symbol:literal) => {
+        shade!(direct $symbol);
+    };
     (world $symbol:literal) => {
         #[doc = $symbol]
         #[allow(unsafe_code)]
@@ -126,6 +130,9 @@ macro_rules! call {
     (direct $module:ident) => {
         Call::ShortsPacked($module::shade)
     };
+    (direct_fine $module:ident) => {
+        Call::ShortsPacked($module::shade)
+    };
     (world $module:ident) => {
         Call::ShortWorldPacked($module::shade)
     };
@@ -135,6 +142,9 @@ macro_rules! call {
 macro_rules! variant {
     (world) => {
         "world space, gain in the table, 129 knots"
+    };
+    (direct_fine) => {
+        "world space, gain in the table, no interpolation, 8192 cells"
     };
     (direct) => {
         "world space, gain in the table, no interpolation, 4096 cells"
@@ -161,6 +171,8 @@ exposed! {
         "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
     world phong_20_kc "q15_exposed_world_metallic_phong_20_kc": ExposedPhong = ExposedPhong::new(LOBE_20, grey(lobe_peak(20.0))),
         "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
+    direct_fine direct_1_k1 "q15_direct_world_metallic_phong_1_k1": DirectPhong<8192> = DirectPhong::new(&FINE_1, grey(1.0)),
+        "metallic-phong" "exponent = 1" about 1.0, "1" 1.0;
     direct direct_20_k1 "q15_direct_world_metallic_phong_20_k1": DirectPhong = DirectPhong::new(&FINE_20, grey(1.0)),
         "metallic-phong" "exponent = 20" about 20.0, "1" 1.0;
     direct direct_20_kc "q15_direct_world_metallic_phong_20_kc": DirectPhong = DirectPhong::new(&FINE_20, grey(lobe_peak(20.0))),
