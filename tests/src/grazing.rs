@@ -38,7 +38,7 @@ pub struct Found {
     /// In the shading frame, in world space and by sums of products there, at K = 1
     /// and at K = c.
     pub by_cosine: [[Greatest; 6]; LEAST.len()],
-    /// For peaks beyond [`BROAD`], where the larger cosine is in the first range: both
+    /// For peaks from 100 on, where the larger cosine is in the first range: both
     /// world spaces, at K = 1 and at K = c.
     pub by_peak: [[Greatest; 4]; NARROW.len()],
 }
