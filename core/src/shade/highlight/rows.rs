@@ -298,11 +298,18 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     fn pixel(&self, at: Offsets, word: Word) -> u16 {
         // A word's lower half is part of its offset: it is rounded so.
         let d = at.d.wrapping_add(word.offset()) >> WAY_BITS;
-        let b = at.b >> WAY_BITS;
-        let mut x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b));
-        if d < 0 {
-            x = self.colours.dimmed(x, word.slope().wrapping_mul(d));
-        }
+        let x = || {
+            let b = at.b >> WAY_BITS;
+            d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b))
+        };
+        // Once for both ways, or, so that there is a register more until then, on each.
+        let early = cfg!(long_multiply).then(x);
+        let x = || early.unwrap_or_else(x);
+        let x = if d < 0 {
+            self.colours.dimmed(x, word.slope().wrapping_mul(d))
+        } else {
+            x()
+        };
         self.colours.at(x)
     }
 }
