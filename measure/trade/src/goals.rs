@@ -110,16 +110,7 @@ const GOALS: [Goal; 7] = [
         at_once: 1.0,
         at_most: [60.0, 40.0, 36.0],
         parts: &[],
-        why: "From a pixel to the next there are sums alone: of two offsets from the mirror direction, of z² and \
-              of its difference. A pixel takes then one look-up for z, two squares and one look-up for the \
-              colour; where N·L < N·V one more for their ratio, with two products. What is over the goal is \
-              where values are kept: a turn of the loop has five that change, four that are added, an end and three \
-              tables. In Thumb code of ARMv6-M the compiler gives them r0 to r6; r7 it keeps for frames, and r8 to r12, from \
-              which a sum could be taken in a cycle, it leaves alone. A product and a look-up \
-              need three of the seven: eight values or more live on the stack, are loaded from there in each turn, and \
-              stored there if they change (`ldr …, [sp, …]` below), two cycles each. By hand, with r8 to r12, they need not. Four pixels a turn \
-              instead of two, two look-ups at once and a function of its own for the loop were tried and are not quicker. \
-              A pixel by itself, without its neighbours, is `q15_sphere_20`.",
+        why: "",
     },
 ];
 

@@ -10,6 +10,9 @@ use crate::geometry::Direction;
 
 /// Fraction bits of the coefficients.
 pub(super) const COEFFICIENT_BITS: u32 = 28;
+/// How far from the ends of a lobe pixels are still taken for reached, in the
+/// unit of the coefficients.
+const SLACK: i32 = (super::reach::SLACK >> (UNIT_BITS - COEFFICIENT_BITS)) as i32;
 /// cosθ below which the highlight is a hair at the sphere's edge.
 const DARK: i64 = UNIT >> 6;
 /// Fraction bits of a step of z².
@@ -87,9 +90,9 @@ pub struct LitSphere<const STEPS: usize = 256> {
     /// z² where `cells` begins, and the binary logarithm of its steps.
     pub(super) lowest: i32,
     pub(super) step_bits: u32,
-    /// From where to where the lobe reaches along the azimuth.
+    /// From where the lobe reaches along the azimuth, and how far.
     pub(super) along: [i32; 2],
-    /// How far across it.
+    /// How far across it, to either side.
     pub(super) across: i32,
 }
 
@@ -147,6 +150,15 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             cell += 1;
         }
         let scaled = product(cosine, mantissa);
+        // Nothing for a light behind.
+        let [from, to] = if cosine < DARK {
+            [1, 0]
+        } else {
+            [
+                product(scaled, reach.along[0]) as i32,
+                product(scaled, reach.along[1]) as i32,
+            ]
+        };
         Self {
             cells,
             edge,
@@ -158,16 +170,8 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             narrowness,
             lowest: (lowest + ((FINE as i64) << step_bits)) as i32,
             step_bits,
-            // Nothing for a light behind.
-            along: if cosine < DARK {
-                [1, 0]
-            } else {
-                [
-                    product(scaled, reach.along[0]) as i32,
-                    product(scaled, reach.along[1]) as i32,
-                ]
-            },
-            across: (1 << COEFFICIENT_BITS) >> narrowness,
+            along: [from - SLACK, to - from + 2 * SLACK],
+            across: ((1 << COEFFICIENT_BITS) >> narrowness) + SLACK,
         }
     }
 
@@ -178,8 +182,19 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         self.cells[(square >> STEP_BITS) as usize % STEPS]
     }
 
-    /// The same where that is negative.
-    #[inline(never)]
+    /// Bits of z² in steps above a cell's number.
+    pub(super) const ABOVE: u32 = (32 - STEP_BITS).saturating_sub(STEPS.ilog2());
+
+    /// The same for the upper half of z² without those bits.
+    #[inline(always)]
+    pub(super) const fn at_half(&self, half: u16) -> Word {
+        self.cells[(half as u32 >> (STEP_BITS + Self::ABOVE - 16)) as usize % STEPS]
+    }
+
+    /// The same where z² in steps, less the first ones, is negative.
+    // Cortex-M3 keeps less of the loop between the edges in registers with it inlined.
+    #[cfg_attr(saturates, inline(never))]
+    #[cfg_attr(not(saturates), inline(always))]
     pub(super) fn at_edge(&self, square: i32) -> Word {
         let square = square.wrapping_add((FINE << STEP_BITS) as i32);
         match self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize) {

@@ -22,6 +22,8 @@ const OWN_BITS: u32 = 9;
 const OWN: u32 = (1 << OWN_BITS) - 1;
 /// Fraction bits of x that are multiplied with it.
 const X_BITS: u32 = SUM_BITS - OWN_BITS;
+/// The code of no light.
+pub(super) const BLACK: u16 = 0;
 /// Light, 64 fraction bits, that no channel of RGB565 shows: half of the
 /// least level of green.
 const UNSEEN: u128 = ONE / 1640;
@@ -36,9 +38,8 @@ const UNSEEN: u128 = ONE / 1640;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LobeColours<const CELLS: usize = 256> {
     colours: [u16; CELLS],
-    /// By how much a ratio moves x, by what it is less than 1: [`shift`]. The
-    /// last is beyond.
-    shifts: [u32; RATIOS],
+    /// By what a ratio is less than 1; the last is beyond.
+    shifts: [Shift; RATIOS],
     /// √(cutoff/2), 32 fraction bits.
     pub(super) radius: u32,
 }
@@ -73,10 +74,10 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             .rgb565();
             cell += 1;
         }
-        let mut shifts = [!OWN; RATIOS];
+        let mut shifts = [Shift::BEYOND; RATIOS];
         let mut cell = 0;
         while cell < RATIOS - 1 {
-            shifts[cell] = shift(cell as u64, n, cutoff);
+            shifts[cell] = Shift::new(cell as u64, n, cutoff);
             cell += 1;
         }
         Ok(Self {
@@ -89,19 +90,20 @@ impl<const CELLS: usize> LobeColours<CELLS> {
     /// The code at x, in cutoffs with 24 fraction bits; black beyond.
     #[inline(always)]
     pub(super) fn at(&self, x: i32) -> u16 {
-        self.colours[saturated::<CELLS>(x >> Self::CELL_SHIFT)]
+        match self.colours.get(cell::<CELLS>(x, Self::CELL_SHIFT)) {
+            Some(code) => *code,
+            None => BLACK,
+        }
     }
 
     /// The x that is as dim as this one with a ratio of the cosines below 1, less
     /// by `less` as [`in_ratios`] has it.
     #[inline(always)]
-    pub(super) fn dimmed(&self, x: i32, less: i32) -> i32 {
-        let word = self.shifts[saturated::<RATIOS>(less >> (LESS_BITS - RATIO_BITS))];
-        // 1 − (1 − x)·ρ for ρ = ratio^(1/n): x + (1 − ρ) − x(1 − ρ), at least 1
-        // where x is. A word's last bits, which are not the sum's, add 3 · 2⁻²⁴.
-        let taken = (x as u32 >> (SUM_BITS - X_BITS)).wrapping_mul(word & OWN);
-        let moved = (x as u32).wrapping_add(word >> (SHIFT_BITS - SUM_BITS));
-        moved.wrapping_sub(taken) as i32
+    pub(super) fn dimmed(&self, x: impl FnOnce() -> i32, less: i32) -> i32 {
+        match (self.shifts).get(cell::<RATIOS>(less, LESS_BITS - RATIO_BITS)) {
+            Some(shift) => shift.moved(x()),
+            None => i32::MAX,
+        }
     }
 }
 
@@ -110,15 +112,15 @@ pub(super) const fn in_ratios(less: i64) -> i64 {
     (less * (RATIOS as i64 - 1)) >> RATIO_BITS
 }
 
-/// The index of a cell, the last one for what is beyond; for pixels that are
-/// within the picture it is not negative.
+/// The index of a cell, from so many bits up; for pixels that are within the picture
+/// it is not negative. What is beyond is the last cell, or none, which is the same.
 #[inline(always)]
-fn saturated<const CELLS: usize>(index: i32) -> usize {
-    if cfg!(long_multiply) {
-        // In one instruction.
-        index.clamp(0, CELLS as i32 - 1) as usize
+fn cell<const CELLS: usize>(number: i32, bits: u32) -> usize {
+    if cfg!(saturates) {
+        // In one instruction, where a comparison takes two.
+        (number >> bits).clamp(0, CELLS as i32 - 1) as usize
     } else {
-        (index as usize).min(CELLS - 1)
+        (number as u32 >> bits) as usize
     }
 }
 
@@ -151,21 +153,43 @@ const fn light(gain: u64, share: u128) -> u32 {
     }
 }
 
-/// 1 − ρ, ρ = r^(1/n), for the middle of a step of the ratio r, from 1 down: over
-/// the cutoff with 31 fraction bits, and in the lowest of these itself.
-const fn shift(step: u64, n: u64, cutoff: u64) -> u32 {
-    const HALF_STEP: u64 = (ONE / (2 * (RATIOS as u128 - 1))) as u64;
-    let y = divide(
-        neg_ln_one_minus((2 * step + 1) * HALF_STEP) << 32,
-        n as u128,
-    );
-    let moved = ONE - exp_neg(y);
-    let own = round_to(moved, OWN_BITS);
-    let shift = divide(moved << SHIFT_BITS, cutoff as u128);
-    let shift = if shift < u32::MAX as u128 {
-        shift as u32
-    } else {
-        u32::MAX
-    };
-    (shift & !OWN) | if own < OWN { own } else { OWN }
+/// How a ratio of the cosines moves x: 1 − ρ, ρ = ratio^(1/n), over the cutoff
+/// with 31 fraction bits, of which the lowest 9 are those of 1 − ρ itself. All is
+/// doubled: from the middle of a word two shifts take these, without a mask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Shift(u32);
+
+impl Shift {
+    /// Beyond any x.
+    const BEYOND: Self = Self(!OWN << 1);
+
+    /// For the middle of a step of the ratio, from 1 down.
+    const fn new(step: u64, n: u64, cutoff: u64) -> Self {
+        const HALF_STEP: u64 = (ONE / (2 * (RATIOS as u128 - 1))) as u64;
+        let y = divide(
+            neg_ln_one_minus((2 * step + 1) * HALF_STEP) << 32,
+            n as u128,
+        );
+        let moved = ONE - exp_neg(y);
+        let own = round_to(moved, OWN_BITS);
+        let shift = divide(moved << SHIFT_BITS, cutoff as u128);
+        // A cutoff is not told from more.
+        let shift = if shift < 1 << SHIFT_BITS {
+            shift as u32
+        } else {
+            u32::MAX >> 1
+        };
+        Self(((shift & !OWN) | if own < OWN { own } else { OWN }) << 1)
+    }
+
+    /// The x that is as dim as this one with the ratio.
+    #[inline(always)]
+    pub(super) fn moved(self, x: i32) -> i32 {
+        // 1 − (1 − x)·ρ: x + (1 − ρ) − x(1 − ρ), at least 1 where x is. A word's last
+        // bits, which are not the sum's, add 3 · 2⁻²⁴.
+        let own = (self.0 >> 1) & OWN;
+        let taken = (x as u32 >> (SUM_BITS - X_BITS)).wrapping_mul(own);
+        let moved = (x as u32).wrapping_add(self.0 >> (SHIFT_BITS + 1 - SUM_BITS));
+        moved.wrapping_sub(taken) as i32
+    }
 }

@@ -3,7 +3,7 @@
 use fixed::types::I2F30;
 
 use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, STEP_BITS};
-use super::lobe_colours::{LESS_BITS, LobeColours};
+use super::lobe_colours::{BLACK, LESS_BITS, LobeColours};
 use super::wide::UNIT_BITS;
 use super::word::{OFFSET_BITS, SLOPE_BITS, WAY_BITS, Word};
 
@@ -72,8 +72,23 @@ struct Walk {
 }
 
 impl Walk {
+    /// From a place on.
+    fn new(place: Place, step: Step) -> Self {
+        Self {
+            offsets: place.offsets,
+            square: upper(place.square),
+            step: step.offsets,
+            change: upper(step.square),
+            bend: upper(step.bend),
+        }
+    }
+
     /// So many pixels, fewer than 2¹⁶, from a place on.
-    fn new(place: Place, step: Step, pixels: u32) -> Self {
+    fn beyond(place: Place, step: Step, pixels: u32) -> Self {
+        if cfg!(not(long_multiply)) && pixels == 0 {
+            // Worth a look: the products are the most of a row's beginning.
+            return Self::new(place, step);
+        }
         // Of the changes 0, 1, … pixels − 1; half of their product would lose the
         // uppermost bit.
         let last = pixels.wrapping_sub(1);
@@ -84,13 +99,12 @@ impl Walk {
         };
         let changes = times(times(step.bend, some), others);
         let way = times(step.square, pixels).wrapping_add(changes);
-        Self {
+        let place = Place {
             offsets: place.offsets.plus_times(step.offsets, pixels as i32),
-            square: upper(place.square.wrapping_add(way)),
-            step: step.offsets,
-            change: upper(step.square.wrapping_add(times(step.bend, pixels))),
-            bend: upper(step.bend),
-        }
+            square: place.square.wrapping_add(way),
+        };
+        let square = step.square.wrapping_add(times(step.bend, pixels));
+        Self::new(place, Step { square, ..step })
     }
 
     /// As many pixels on; `times` is at most [`CHUNK`].
@@ -111,6 +125,12 @@ impl Walk {
         self.offsets.d = self.offsets.d.wrapping_add(self.step.d);
         self.square = self.square.wrapping_add(self.change);
         self.offsets.b = self.offsets.b.wrapping_add(self.step.b);
+        self.change = self.change.wrapping_add(self.bend);
+    }
+
+    /// Forwards in z² alone.
+    fn climb(&mut self) {
+        self.square = self.square.wrapping_add(self.change);
         self.change = self.change.wrapping_add(self.bend);
     }
 
@@ -221,9 +241,18 @@ impl<const STEPS: usize> LitSphere<STEPS> {
 
     /// Whether the lobe may reach a point.
     fn reaches(&self, at: Offsets) -> bool {
-        const SLACK: i32 = (super::reach::SLACK >> (UNIT_BITS - COEFFICIENT_BITS)) as i32;
-        let [from, to] = self.along;
-        at.d >= from - SLACK && at.d <= to + SLACK && at.b.wrapping_abs() <= self.across + SLACK
+        // Each span in one comparison.
+        let [from, length] = self.along;
+        at.d.wrapping_sub(from) as u32 <= length as u32
+            && at.b.wrapping_add(self.across) as u32 <= 2 * self.across as u32
+    }
+
+    /// Whether, of so many pixels, the one there is beyond the lobe's reach.
+    #[inline(always)]
+    fn misses(&self, at: Offsets, pixels: usize) -> bool {
+        // That there is one at all is seen first where what is seen would else be
+        // kept in a register; elsewhere it makes the code longer.
+        (cfg!(long_multiply) || pixels > 0) && !self.reaches(at)
     }
 }
 
@@ -238,15 +267,15 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         let mut last = at.plus_times(self.coarse_across, count - 1);
         let mut first = 0u32;
         let mut rest = pixels.iter_mut();
-        while !self.lit.reaches(at) {
+        while self.lit.misses(at, rest.len()) {
             let Some(pixel) = rest.next() else { break };
-            *pixel = 0;
+            *pixel = BLACK;
             first += 1;
             at = at.plus(self.coarse_across);
         }
-        while !self.lit.reaches(last) {
+        while self.lit.misses(last, rest.len()) {
             let Some(pixel) = rest.next_back() else { break };
-            *pixel = 0;
+            *pixel = BLACK;
             last = last.plus_times(self.coarse_across, -1);
         }
         for pixels in rest.into_slice().chunks_mut(CHUNK as usize) {
@@ -265,7 +294,7 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, before: u32, pixels: &mut [u16]) {
-        let mut first = Walk::new(self.place, self.across, before);
+        let mut first = Walk::beyond(self.place, self.across, before);
         let mut last = first.after(pixels.len() as i32 - 1);
         let mut rest = pixels.iter_mut();
         while first.square < 0 {
@@ -280,29 +309,116 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
             *pixel = self.pixel(last.offsets, self.lit.at_edge(last.square));
             last.backwards();
         }
-        let pixels = rest.into_slice();
+        if cfg!(long_multiply) {
+            self.in_one_run(first, rest.into_slice());
+        } else {
+            self.in_two_runs(first, rest.into_slice());
+        }
+    }
+
+    /// Pixels between the edges.
+    #[inline(always)]
+    fn in_one_run(&self, mut walk: Walk, pixels: &mut [u16]) {
         // Two pixels a turn: no core has registers for all of the loop's state.
         let mut pairs = pixels.chunks_exact_mut(2);
         for pair in &mut pairs {
             for pixel in pair {
-                *pixel = self.pixel(first.offsets, self.lit.at(first.square));
-                first.forwards();
+                *pixel = self.pixel(walk.offsets, self.lit.at(walk.square));
+                walk.forwards();
             }
         }
         for pixel in pairs.into_remainder() {
-            *pixel = self.pixel(first.offsets, self.lit.at(first.square));
+            *pixel = self.pixel(walk.offsets, self.lit.at(walk.square));
         }
+    }
+
+    /// The same in two runs, each of which needs fewer registers: z² alone, of
+    /// which half a word waits where the code will be, and all else.
+    #[inline(always)]
+    fn in_two_runs(&self, walk: Walk, pixels: &mut [u16]) {
+        let above = LitSphere::<STEPS>::ABOVE;
+        let mut height = Walk {
+            square: walk.square << above,
+            change: walk.change << above,
+            bend: walk.bend << above,
+            ..walk
+        };
+        // Chunks, if of one, are counted: such a loop the compiler unrolls.
+        for chunk in pixels.chunks_exact_mut(1) {
+            for pixel in chunk {
+                *pixel = (height.square as u32 >> 16) as u16;
+                height.climb();
+            }
+        }
+        self.second_run(walk.offsets, walk.step, pixels);
+    }
+
+    // Not inlined, it has all registers.
+    #[inline(never)]
+    fn second_run(&self, first: Offsets, step: Offsets, pixels: &mut [u16]) {
+        // In a `for` the next pixel is kept, too.
+        pixels.iter_mut().fold(first, |at, pixel| {
+            *pixel = self.pixel(at, self.lit.at_half(*pixel));
+            at.plus(step)
+        });
     }
 
     #[inline(always)]
     fn pixel(&self, at: Offsets, word: Word) -> u16 {
         // A word's lower half is part of its offset: it is rounded so.
         let d = at.d.wrapping_add(word.offset()) >> WAY_BITS;
-        let b = at.b >> WAY_BITS;
-        let mut x = d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b));
-        if d < 0 {
-            x = self.colours.dimmed(x, word.slope().wrapping_mul(d));
-        }
+        let x = || {
+            let b = at.b >> WAY_BITS;
+            d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b))
+        };
+        // Once for both ways, or, so that there is a register more until then, on each.
+        let early = cfg!(long_multiply).then(x);
+        let x = || early.unwrap_or_else(x);
+        let x = if d < 0 {
+            self.colours.dimmed(x, word.slope().wrapping_mul(d))
+        } else {
+            x()
+        };
         self.colours.at(x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Rgb;
+    use crate::arithmetic::Q31;
+    use crate::geometry::Direction;
+    use fixed::types::U32F32;
+
+    fn both_ways<const COLOURS: usize, const STEPS: usize>(n: u32) {
+        let gain = Rgb::from_array([U32F32::ONE, U32F32::ONE / 2, U32F32::ONE / 3]);
+        let colours = LobeColours::<COLOURS>::new(n.into(), gain).unwrap();
+        for x in [-0x3000_0000, 0, 0x2000_0000] {
+            let l = Direction::<Q31>::new(
+                I2F30::from_bits(x),
+                I2F30::from_bits(0x1000_0000),
+                I2F30::ONE / 2,
+            );
+            let lit = LitSphere::<STEPS>::new(&colours, l);
+            let start = [I2F30::ONE / -2, I2F30::ONE / 8];
+            let rows = lit.rows(&colours, start, [I2F30::ONE / 128; 2]);
+            for before in 0..80 {
+                let walk = Walk::beyond(rows.place, rows.across, before);
+                let (mut once, mut twice) = ([1; CHUNK as usize], [2; CHUNK as usize]);
+                let count = 3 * before as usize % CHUNK as usize;
+                rows.in_one_run(walk, &mut once[..count]);
+                rows.in_two_runs(walk, &mut twice[..count]);
+                assert_eq!(once[..count], twice[..count]);
+            }
+        }
+    }
+
+    #[test]
+    fn one_run_and_two_give_the_same_bits() {
+        both_ways::<512, 512>(20);
+        both_ways::<256, 256>(500);
+        both_ways::<4096, 2048>(5);
+        both_ways::<1, 1>(1);
     }
 }
