@@ -180,7 +180,8 @@ impl<A: Arithmetic, H: Shape<Arithmetic = A>> Brdf<A> for Plastic<A, H> {
         self.peak
     }
 
-    #[inline]
+    // A shading loop calls it once for a material: let the loop hold it.
+    #[inline(always)]
     fn share(&self, geometry: &impl Geometry<A>) -> Rgb<A::Unit> {
         let (n_dot_l, n_dot_v) = geometry.cosines();
         if !A::above_horizon(n_dot_l, n_dot_v) || !A::is_number(geometry.versine()) {
