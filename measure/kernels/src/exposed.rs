@@ -179,7 +179,7 @@ exposed! {
         "metallic-phong" "exponent = 20" about 20.0, "c" lobe_peak(20.0);
     direct direct_500_kc "q15_direct_world_metallic_phong_500_kc": DirectPhong = DirectPhong::new(&FINE_500, grey(lobe_peak(500.0))),
         "metallic-phong" "exponent = 500" about 500.0, "c" lobe_peak(500.0);
-    direct direct_5000_k1 "q15_direct_world_metallic_phong_5000_k1": DirectPhong = DirectPhong::new(&FINE_5000, grey(1.0)),
+    direct_fine direct_5000_k1 "q15_direct_world_metallic_phong_5000_k1": DirectPhong<8192> = DirectPhong::new(&FINE_5000, grey(1.0)),
         "metallic-phong" "exponent = 5000" about 5000.0, "1" 1.0;
     world gold_20_kc_world "q15_exposed_world_gold_20_kc": ExposedMetal = ExposedMetal::new(LOBE_20, &GOLD, grey(lobe_peak(20.0))),
         "metal" "metal = \"gold\", exponent = 20" about 20.0, "c" lobe_peak(20.0);

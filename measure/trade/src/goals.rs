@@ -85,7 +85,7 @@ const GOALS: [Goal; 7] = [
         why: "",
     },
     Goal {
-        title: "world-space N, L, V in, RGB out: with 20 KiB of tables, for n = 1 with 36",
+        title: "world-space N, L, V in, RGB out: with 20 KiB of tables, for n = 1 and 5000 with 36",
         kernels: &[
             "q15_direct_world_metallic_phong_20_k1",
             "q15_direct_world_metallic_phong_1_k1",

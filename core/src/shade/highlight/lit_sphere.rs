@@ -35,9 +35,10 @@ const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 ///
 /// Codes are at most one level off: with 512 steps and 512 colours for n from
 /// 1.5 on, to 1e8 at K = 1 and to 500 at the lobe's peak, K = (n + 2)/2π, under
-/// lights to 115° from the viewer; with 256 of both at K = 1 from n = 20 to 1e5. For
-/// n = 1 and 1024 of both they are at most two off, as one pixel of millions is at
-/// the peak of n = 500 under lights from beyond 86°. Under lights from farther
+/// lights to 115° from the viewer, with 1024 of both for n from 1.1 on; with 256 of
+/// both at K = 1 from n = 20 to 1e5. For n = 1 they are with 2048 of both, under lights
+/// to 86°; beyond, one pixel of millions is three off, as one is two off at the peak of
+/// n = 500. Under lights from farther
 /// behind than 115° they are up to seven levels off, beyond 178° nothing is lit, and
 /// pixels whose centre is within 2.5e-4 radii of the sphere's edge have no bound.
 /// Tested in `tests/tests/highlight.rs`, in pictures of up to 3000 by 3000 pixels, and

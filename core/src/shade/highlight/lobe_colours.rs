@@ -18,7 +18,7 @@ const RATIOS: usize = 1 << RATIO_BITS;
 /// Fraction bits of a shift over the cutoff.
 const SHIFT_BITS: u32 = 31;
 /// Fraction bits of a shift by itself, and where a word has it.
-const OWN_BITS: u32 = 9;
+const OWN_BITS: u32 = 12;
 const OWN: u32 = (1 << OWN_BITS) - 1;
 /// Fraction bits of x that are multiplied with it.
 const X_BITS: u32 = SUM_BITS - OWN_BITS;
