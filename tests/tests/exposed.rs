@@ -165,6 +165,25 @@ fn lobes_of_any_exponent() {
     within(found[1], 0.60..=0.75);
 }
 
+/// Where a lobe's end at α = 90° bends without bound, twice the knots are enough.
+#[test]
+fn metals_between_1_and_2() {
+    let mut found = 0.0f64;
+    for n in [1.0, 1.02, 1.05, 1.1, 1.15, 1.2, 1.3, 1.43, 1.5, 1.7] {
+        let (material, curve) = metal("metal = \"gold\"", n);
+        let lobe = MetallicPhong::<Q15<257>>::new(number(n)).expect("an exponent");
+        let gain = Rgb::grey(U32F32::ONE);
+        let model = ExposedMetal::<257, 65>::new(lobe, &curve, gain).expect("a gain");
+        let off = worst(&material, n, 1.0, |pair| {
+            let [l, v] = [pair.l, pair.v].map(|d| Direction::new(d.x, d.y, d.z));
+            model.shade(&ShadingFrame::<Q15<257>>::new(l, v))
+        });
+        found = found.max(off);
+    }
+    println!("gold from n = 1 to 1.7, 257 knots: {found:.3}");
+    within(found, 0.53..=0.75);
+}
+
 #[test]
 fn lobes_without_interpolation() {
     let (mut found, mut in_world) = ([0.0f64; 2], [0.0f64; 2]);
