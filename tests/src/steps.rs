@@ -153,7 +153,7 @@ pub const BOUNDS: &[StepBound] = &[
     bound("q15", Step::Profile, 2.7e-3),
     bound("q15", Step::ProfileTail, 5.2e-7),
     bound("q15", Step::CosinePower, 4.8e-2),
-    bound("q15", Step::Ratio, 1.2e-4),
+    bound("q15", Step::Ratio, 1.4e-4),
     bound("q15", Step::Product, 1.5e-5),
     bound("q15", Step::Exposure, 1.6e-2),
 ];

@@ -117,11 +117,16 @@ pub(super) const fn in_ratios(less: i64) -> i64 {
 #[inline(always)]
 fn cell<const CELLS: usize>(number: i32, bits: u32) -> usize {
     if cfg!(saturates) {
-        // In one instruction, where a comparison takes two.
-        (number >> bits).clamp(0, CELLS as i32 - 1) as usize
+        saturated::<CELLS>(number, bits)
     } else {
         (number as u32 >> bits) as usize
     }
+}
+
+/// In one instruction, where a comparison takes two.
+#[inline(always)]
+fn saturated<const CELLS: usize>(number: i32, bits: u32) -> usize {
+    (number >> bits).clamp(0, CELLS as i32 - 1) as usize
 }
 
 /// x, 64 fraction bits, beyond which `UNSEEN` is more than the light.
@@ -191,5 +196,21 @@ impl Shift {
         let taken = (x as u32 >> (SUM_BITS - X_BITS)).wrapping_mul(own);
         let moved = (x as u32).wrapping_add(self.0 >> (SHIFT_BITS + 1 - SUM_BITS));
         moved.wrapping_sub(taken) as i32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{cell, saturated};
+
+    #[test]
+    fn both_ways_to_a_cell_agree() {
+        for number in (0..=i32::MAX).step_by(0xFFF1).chain([1 << 24, i32::MAX]) {
+            for bits in [11, 16] {
+                let plain = cell::<256>(number, bits).min(255);
+                assert_eq!(saturated::<256>(number, bits), plain, "{number}");
+            }
+        }
+        assert_eq!(saturated::<256>(-1, 16), 0);
     }
 }
