@@ -167,7 +167,7 @@ mod tests {
 
     use super::{ShortWorld, cosine, products_by_sum};
     use crate::arithmetic::{Arithmetic as _, Q15};
-    use crate::geometry::{Direction, Geometry as _};
+    use crate::geometry::{Direction, Geometry as _, World};
 
     type A = Q15;
 
@@ -306,6 +306,10 @@ mod tests {
                         [A::dot(&n, &l), A::dot(&n, &v)],
                     );
                     assert_eq!([by_sum.0, by_sum.1].map(cosine), dots);
+                    let world = ShortWorld::new(n, l, v);
+                    assert_eq!(world.cosines(), (dots[0], dots[1]));
+                    let retro = World::new(n, l, v).retro_versine();
+                    assert_eq!(world.retro_versine(), retro);
                 }
             }
         }
