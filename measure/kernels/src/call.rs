@@ -35,6 +35,7 @@ pub struct Three {
 
 /// N, L and V of 16 bits without gaps: words of two components each, the first in
 /// the lower half, and of the last one.
+#[cfg(not(target_os = "none"))]
 pub type Shorts = extern "C" fn(u32, u32, u32, u32, u32) -> u64;
 
 #[cfg(not(target_arch = "arm"))]

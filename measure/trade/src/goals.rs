@@ -24,10 +24,6 @@ struct Goal {
     at_once: f64,
     /// The most cycles on each of the aimed cores.
     at_most: [f64; 3],
-    /// What it is made of, each a kernel of its own.
-    parts: &'static [&'static str],
-    /// Why it is not reached, where it isn't.
-    why: &'static str,
 }
 
 const GOALS: [Goal; 7] = [
@@ -44,8 +40,6 @@ const GOALS: [Goal; 7] = [
         ],
         at_once: 1.0,
         at_most: [95.0, 80.0, 60.0],
-        parts: &[],
-        why: "",
     },
     Goal {
         title: "metal, three channels with Fresnel's factor",
@@ -57,32 +51,24 @@ const GOALS: [Goal; 7] = [
         ],
         at_once: 1.0,
         at_most: [115.0, 100.0, 75.0],
-        parts: &[],
-        why: "",
     },
     Goal {
         title: "basic patch",
         kernels: &["q15_exposed_patch_k1", "q15_exposed_patch_kc"],
         at_once: 1.0,
         at_most: [45.0, 30.0, 30.0],
-        parts: &[],
-        why: "",
     },
     Goal {
         title: "exponential patch",
         kernels: &["q15_patch_exponential_k1", "q15_patch_exponential_kc"],
         at_once: 1.0,
         at_most: [120.0, 71.0, 58.0],
-        parts: &[],
-        why: "",
     },
     Goal {
         title: "linear to sRGB, one channel, within 0.60 LSB: a third of a pixel's call",
         kernels: &["srgb8_direct_pixel"],
         at_once: 3.0,
         at_most: [16.0, 14.0, 12.0],
-        parts: &[],
-        why: "",
     },
     Goal {
         title: "world-space N, L, V in, RGB out: with 20 KiB of tables, for n = 1 and 5000 with 36",
@@ -95,8 +81,6 @@ const GOALS: [Goal; 7] = [
         ],
         at_once: 1.0,
         at_most: [190.0, 120.0, 70.0],
-        parts: &[],
-        why: "",
     },
     Goal {
         title: "whole sphere pixel to RGB565, any n, at most one level off: of a tile's 16 rows of 64",
@@ -109,8 +93,6 @@ const GOALS: [Goal; 7] = [
         ],
         at_once: 1.0,
         at_most: [60.0, 40.0, 36.0],
-        parts: &[],
-        why: "",
     },
 ];
 
@@ -197,49 +179,28 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
             continue;
         };
         if !missed.is_empty() {
-            let _ = write!(text, "\n## {}\n\n{}\n", goal.title, goal.why);
+            let _ = write!(text, "\n## {}\n", goal.title);
         }
-        for (core, at_most) in missed {
+        for (core, _) in missed {
             let listing = listings
                 .get(*kernel)
                 .and_then(|of_targets| of_targets.iter().find(|listing| takes(listing, core)));
             let Some(listing) = listing else { continue };
             let _ = write!(
                 text,
-                "\n### `{kernel}` on {}\n\n{}{}How often each instruction is executed in a call within \
+                "\n### `{kernel}` on {}\n\n{}How often each instruction is executed in a call within \
                  the lobe, of a tile for each pixel, and the cycles it takes; those that are executed less than once in \
                  fifty times are left out:\n\n{}",
                 CORES
                     .iter()
                     .find(|(name, _)| *name == core)
                     .map_or("", |(_, title)| title),
-                alone(rows, goal, core, at_most),
                 spent(listing, core, mean(rows, kernel, core)),
                 lines(listing, core),
             );
         }
     }
     text
-}
-
-/// What the parts take by themselves.
-fn alone(rows: &[Row], goal: &Goal, core: &str, at_most: f64) -> String {
-    if goal.parts.is_empty() {
-        return String::new();
-    }
-    let call = mean(rows, NOTHING, core);
-    let parts: Vec<_> = goal
-        .parts
-        .iter()
-        .map(|part| format!("`{part}` {:.0}", mean(rows, part, core)))
-        .collect();
-    let beside_call = goal.parts.iter().map(|part| mean(rows, part, core) - call);
-    format!(
-        "Each alone, its call included, takes: {}. With one call for all that is {:.0}; the goal is \
-         {at_most:.0}.\n\n",
-        parts.join(", "),
-        call + beside_call.sum::<f64>()
-    )
 }
 
 fn mean(rows: &[Row], kernel: &str, core: &str) -> f64 {
