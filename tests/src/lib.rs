@@ -10,6 +10,7 @@ pub mod document;
 pub mod domain;
 pub mod energy;
 pub mod error;
+pub mod exposed;
 pub mod flicker;
 pub mod frame;
 pub mod fuzz;

@@ -410,7 +410,7 @@ pub const BUGS: &[Bug] = &[
         "core/src/table/direct.rs",
         "let middle = ((2 * cell as u64 + 1) << width) / 2;",
         "let middle = ((2 * cell as u64) << width) / 2;",
-        &["exposed"],
+        &["direct"],
     ),
     bug(
         "exposed light wraps around (q15)",

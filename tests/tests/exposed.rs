@@ -9,84 +9,14 @@ use microbrdf::brdf::{
 use microbrdf::fixed::types::{I2F14, U2F30, U32F32};
 use microbrdf::geometry::{Direction, ShadingFrame, ShortWorld, World};
 use microbrdf::shade::{Palette565, srgb8, srgb8_direct};
-use microbrdf_reference::{self as reference, encode_srgb};
+use microbrdf_reference::encode_srgb;
 use microbrdf_scene::{HostArithmetic, Material};
-use microbrdf_tests::arithmetic::rounded;
 use microbrdf_tests::domain::{Pair, Set};
 use microbrdf_tests::error::Subject;
-use microbrdf_tests::frame::{Rotations, in_frame};
-
-/// Pairs in each set.
-const COUNT: usize = 1000;
-
-fn number(value: f64) -> U32F32 {
-    U32F32::from_num(value)
-}
+use microbrdf_tests::exposed::{COUNT, middle, number, within, worst};
 
 fn lobe(n: f64) -> MetallicPhong<Q15> {
     MetallicPhong::<Q15>::new(number(n)).expect("an exponent")
-}
-
-/// The middle of a step, as 24 bits.
-fn middle(light: Rgb<u16>) -> [u32; 3] {
-    light.to_array().map(|light| u32::from(light) << 8 | 0x80)
-}
-
-/// How far light of 16 bits is off, in codes, for the share of each channel.
-fn off(light: Rgb<u16>, k: f64, rho: [f64; 3]) -> f64 {
-    let mut worst = 0.0f64;
-    for (shown, rho) in middle(light).into_iter().zip(rho) {
-        let code = 255.0 * encode_srgb((k * rho).clamp(0.0, 1.0));
-        worst = worst.max((f64::from(srgb8(shown)) - code).abs());
-    }
-    worst
-}
-
-/// Pairs of every set, at which a lobe of exponent `n` shows light at K.
-fn pairs(n: f64, k: f64) -> impl Iterator<Item = Pair> {
-    let reach = 9.0 + k.max(1.0).ln();
-    (Set::ALL.into_iter()).flat_map(move |set| set.pairs(n, reach, COUNT))
-}
-
-/// The greatest error in codes of `light`, over every set of pairs.
-fn worst(
-    material: &Material,
-    n: f64,
-    k: f64,
-    light: impl Fn(&ShadingFrame<Q15>) -> Rgb<u16>,
-) -> f64 {
-    let exact = material.rounded::<Q15>().reference();
-    let mut worst = 0.0f64;
-    for pair in pairs(n, k) {
-        let geometry = Subject::<Q15>::geometry(pair);
-        let [l, v] = Subject::<Q15>::rounded(&geometry);
-        worst = worst.max(off(light(&geometry), k, exact.rho(&l, &v)));
-    }
-    worst
-}
-
-/// The same in world space, of N, L and V. Pairs of which one is rounded to the
-/// horizon or below are left out.
-fn worst_in_world(
-    material: &Material,
-    n: f64,
-    k: f64,
-    light: impl Fn([Direction<Q15>; 3]) -> Rgb<u16>,
-) -> f64 {
-    let exact = material.rounded::<Q15>().reference();
-    let mut rotations = Rotations::new(0x0E5D);
-    let mut worst = 0.0f64;
-    for pair in pairs(n, k) {
-        let directions = rotations.turn(pair).map(rounded::<Q15>);
-        let value = |d: Direction<Q15>| [d.x, d.y, d.z].map(Q15::<129>::component_value);
-        let [n, l, v] = directions.map(value);
-        let [l, v] = in_frame(n, l, v);
-        if l[2] > 0.0 && v[2] > 0.0 {
-            let [l, v] = [l, v].map(|[x, y, z]| reference::Direction::new(x, y, z));
-            worst = worst.max(off(light(directions), k, exact.rho(&l, &v)));
-        }
-    }
-    worst
 }
 
 fn metal(fields: &str, n: f64) -> (Material, microbrdf::table::CosineCurve) {
@@ -121,10 +51,6 @@ fn of_metals<const KNOTS: usize>(fields: &[&str]) -> [f64; 2] {
     }
     println!("{fields:?} {KNOTS}: {found:.3?}");
     found
-}
-
-fn within(found: f64, bounds: std::ops::RangeInclusive<f64>) {
-    assert!(bounds.contains(&found), "{found} is not within {bounds:?}");
 }
 
 #[test]
@@ -182,68 +108,6 @@ fn metals_between_1_and_2() {
     }
     println!("gold from n = 1 to 1.7, 257 knots: {found:.3}");
     within(found, 0.53..=0.75);
-}
-
-#[test]
-fn lobes_without_interpolation() {
-    let (mut found, mut in_world) = ([0.0f64; 2], [0.0f64; 2]);
-    for n in [1.5, 2.0, 3.7, 20.0, 100.0, 500.0, 5000.0, 1e5, 1e8] {
-        let text = format!("model = \"metallic-phong\", exponent = {n}");
-        let material = Material::from_argument(&text).expect("a lobe");
-        let peak = (n + 2.0) / std::f64::consts::TAU;
-        let lobe = MetallicPhong::<Q15<513>>::new(number(n)).expect("an exponent");
-        for (column, k) in [1.0, peak].into_iter().enumerate() {
-            if k > 100.0 {
-                continue;
-            }
-            let model = DirectPhong::<4096>::new(&lobe, Rgb::grey(number(k))).expect("a gain");
-            let off = worst(&material, n, k, |pair| model.shade(pair));
-            found[column] = found[column].max(off);
-            if n <= 5000.0 {
-                let off = worst_in_world(&material, n, k, |[n, l, v]| {
-                    model.shade(&ShortWorld::new(n, l, v))
-                });
-                in_world[column] = in_world[column].max(off);
-            }
-        }
-    }
-    println!("lobes without interpolation: {found:.3?}, in world space {in_world:.3?}");
-    within(found[0], 0.62..=0.75);
-    within(found[1], 0.62..=0.75);
-    within(in_world[0], 0.62..=0.78);
-    within(in_world[1], 0.62..=0.85);
-    let mut fine = 0.0f64;
-    for n in [1.0, 1.2, 1.5, 20.0, 500.0, 2000.0, 5000.0] {
-        let text = format!("model = \"metallic-phong\", exponent = {n}");
-        let material = Material::from_argument(&text).expect("a lobe");
-        let lobe = MetallicPhong::<Q15<513>>::new(number(n)).expect("an exponent");
-        let model = DirectPhong::<8192>::new(&lobe, Rgb::grey(U32F32::ONE)).expect("a gain");
-        fine = fine.max(worst_in_world(&material, n, 1.0, |[n, l, v]| {
-            model.shade(&ShortWorld::new(n, l, v))
-        }));
-    }
-    println!("twice the cells, in world space: {fine:.3}");
-    within(fine, 0.60..=0.70);
-}
-
-/// Where a lobe of exponent 1 ends, light falls to 0 along a straight line, which is
-/// where a cell's width shows most.
-#[test]
-fn the_end_of_a_lobe_without_interpolation() {
-    fn end<const CELLS: usize>() -> f64 {
-        let lobe = MetallicPhong::<Q15<513>>::new(number(1.0)).expect("an exponent");
-        let model = DirectPhong::<CELLS>::new(&lobe, Rgb::grey(U32F32::ONE)).expect("a gain");
-        let up = Direction::new(I2F14::ZERO, I2F14::ZERO, I2F14::ONE);
-        let at = |z: i16| {
-            let cosine = f64::from(z) / 16_384.0;
-            let v = rounded::<Q15>([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]);
-            let light = model.shade(&ShortWorld::new(up, up, v));
-            off(light, 1.0, [cosine; 3])
-        };
-        (1..2000).map(at).fold(0.0, f64::max)
-    }
-    within(end::<4096>(), 0.75..=0.85);
-    within(end::<8192>(), 0.60..=0.75);
 }
 
 #[test]
@@ -347,20 +211,6 @@ fn channels_do_not_mix() {
             b: 0
         }
     );
-    // Half of a cell, whose 4096 hold the lobe's 0.44.
-    let direct = DirectPhong::<4096>::new(&lobe(20.0), gain).expect("a gain");
-    let Rgb { r, g, b } = direct.shade(&pair);
-    assert!(
-        (65_430..65_535).contains(&r) && g == r / 2 && b == 0,
-        "{r}, {g}, {b}"
-    );
-    let dark = DirectPhong::<4096>::new(&lobe(20.0), Rgb::grey(U32F32::ZERO)).expect("a gain");
-    assert_eq!(dark.shade(&pair), Rgb::grey(0));
-    let most = Rgb::grey(number(16_383.9));
-    let bright = DirectPhong::<4096>::new(&lobe(20.0), most).expect("a gain");
-    assert_eq!(bright.shade(&pair), Rgb::grey(65_535));
-    let error = DirectPhong::<4096>::new(&lobe(20.0), Rgb::grey(number(16_384.0)));
-    assert_eq!(error.expect_err("too bright").parameter, "gain");
     let patch = Patch::<Q15>::new(U2F30::from_num(0.1)).expect("a radius");
     let patch = ExposedPatch::<129>::new(patch, gain).expect("a gain");
     assert_eq!(

@@ -30,7 +30,7 @@ const WHITE: u32 = 1 << FACTOR_BITS;
 /// world space within 0.78 for n to 5000 at K = 1, and 0.85 at K = c_n for n to 500.
 /// With 8192 cells it is within 0.75 there for n from 1 to 5000 at K = 1.
 /// Of the light, a cell is off by 2.5e-3 at most and the ratio by 2.8e-4. Tested in
-/// `tests/tests/exposed.rs`. The peak itself lies within a cell: it is a little
+/// `tests/tests/direct.rs`. The peak itself lies within a cell: it is a little
 /// below K.
 ///
 /// ```
