@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, U1F31, U32F32, U64F64};
 
-use super::short::{FACTOR, product_down, scale};
+use super::short::{FACTOR, product_down, scale, sum_of_products};
 use super::{Arithmetic, peak};
 use crate::colour::Rgb;
 use crate::geometry::Direction;
@@ -128,11 +128,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
 
     #[inline]
     fn dot(a: &Direction<Self>, b: &Direction<Self>) -> i32 {
-        let product = |a: I2F14, b: I2F14| i32::from(a.to_bits()) * i32::from(b.to_bits());
-        let sum = product(a.x, b.x)
-            .wrapping_add(product(a.y, b.y))
-            .wrapping_add(product(a.z, b.z));
-        sum << (COSINE_BITS - 2 * COMPONENT_BITS)
+        sum_of_products(a.bits(), b.bits()) << (COSINE_BITS - 2 * COMPONENT_BITS)
     }
 
     #[inline]

@@ -32,6 +32,15 @@ fn scale_by_halves(share: u32, factor: u32) -> u32 {
     (share >> 16) * factor + (((share & 0xFFFF) * factor) >> 16)
 }
 
+/// Of the components of two directions, 28 fraction bits; wraps for directions that
+/// are far too long.
+#[inline(always)]
+pub(crate) fn sum_of_products(a: [i32; 3], b: [i32; 3]) -> i32 {
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
+    let first = ax.wrapping_mul(bx).wrapping_add(ay.wrapping_mul(by));
+    first.wrapping_add(az.wrapping_mul(bz))
+}
+
 /// a · b / 2^`DOWN` for a of at most 2³¹ and b below it, `DOWN` 30 or 32; rounded down.
 #[inline(always)]
 pub(crate) fn product_down<const DOWN: u32>(a: u32, b: u32) -> u32 {

@@ -51,6 +51,12 @@ impl<const KNOTS: usize> Direction<Q15<KNOTS>> {
         let z = (root(rest) + (1 << 14)) >> 15;
         Some(Self::new(x, y, I2F14::from_bits(z as i16)))
     }
+
+    /// Its components' bits.
+    #[inline(always)]
+    pub(crate) fn bits(&self) -> [i32; 3] {
+        [self.x, self.y, self.z].map(|component| i32::from(component.to_bits()))
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! World space in 16 bits, by sums of products.
 
 use super::{Direction, Geometry, ShadingFrame};
-use crate::arithmetic::short::product_of_cosines;
+use crate::arithmetic::short::{product_of_cosines, sum_of_products};
 use crate::arithmetic::{Arithmetic as _, Q15};
 
 /// From the fraction bits of a sum of two components' products to a cosine's.
@@ -33,15 +33,16 @@ impl<const KNOTS: usize> ShortWorld<KNOTS> {
         l: Direction<Q15<KNOTS>>,
         v: Direction<Q15<KNOTS>>,
     ) -> Self {
+        let products = if cfg!(long_multiply) {
+            products
+        } else {
+            products_by_sum
+        };
         Self {
             normal: n,
             l,
             v,
-            products: if cfg!(long_multiply) {
-                products(&n, &l, &v)
-            } else {
-                products_by_sum(&n, &l, &v)
-            },
+            products: products(n.bits(), l.bits(), v.bits()),
         }
     }
 
@@ -55,7 +56,7 @@ impl<const KNOTS: usize> ShortWorld<KNOTS> {
         let sum = |a, b| Q15::<KNOTS>::sum(a, b);
         let square = Q15::<KNOTS>::square([sum(l.z, v.z), sum(l.y, v.y), sum(l.x, v.x)]) as i32;
         // |N|² − 1 is the lower half of |N|², 28 fraction bits.
-        let excess = i32::from(sum_of_products(components(n), components(n)) as i16);
+        let excess = i32::from(sum_of_products(n.bits(), n.bits()) as i16);
         let scaled = square.wrapping_add(((square >> 16) * excess) >> 12);
         scaled.wrapping_sub(four_p).max(0) as u32
     }
@@ -122,39 +123,16 @@ fn cosine(product: i32) -> i32 {
     product << COSINE_SHIFT
 }
 
-/// Its components' bits.
-#[inline(always)]
-fn components<const KNOTS: usize>(d: &Direction<Q15<KNOTS>>) -> [i32; 3] {
-    [d.x, d.y, d.z].map(|component| i32::from(component.to_bits()))
-}
-
-/// 28 fraction bits; wraps for directions that are far too long.
-#[inline(always)]
-fn sum_of_products(a: [i32; 3], b: [i32; 3]) -> i32 {
-    let [x, y, z] = [0, 1, 2].map(|i: usize| a[i].wrapping_mul(b[i]));
-    x.wrapping_add(y).wrapping_add(z)
-}
-
 /// N·L and N·V.
 #[inline(always)]
-fn products<const KNOTS: usize>(
-    n: &Direction<Q15<KNOTS>>,
-    l: &Direction<Q15<KNOTS>>,
-    v: &Direction<Q15<KNOTS>>,
-) -> (i32, i32) {
-    let (n, l, v) = (components(n), components(l), components(v));
+fn products(n: [i32; 3], l: [i32; 3], v: [i32; 3]) -> (i32, i32) {
     (sum_of_products(n, l), sum_of_products(n, v))
 }
 
 /// The same bits, N·V as N·(L + V) − N·L: of V nothing is kept then beside its sum
 /// with L.
 #[inline(always)]
-fn products_by_sum<const KNOTS: usize>(
-    n: &Direction<Q15<KNOTS>>,
-    l: &Direction<Q15<KNOTS>>,
-    v: &Direction<Q15<KNOTS>>,
-) -> (i32, i32) {
-    let (n, l, v) = (components(n), components(l), components(v));
+fn products_by_sum(n: [i32; 3], l: [i32; 3], v: [i32; 3]) -> (i32, i32) {
     let both = [l[0] + v[0], l[1] + v[1], l[2] + v[2]];
     let n_dot_l = sum_of_products(n, l);
     let n_dot_v = sum_of_products(n, both).wrapping_sub(n_dot_l);
@@ -302,7 +280,7 @@ mod tests {
                     }
                     let [n, l, v] = [n, l, v].map(direction);
                     let (by_sum, dots) = (
-                        products_by_sum(&n, &l, &v),
+                        products_by_sum(n.bits(), l.bits(), v.bits()),
                         [A::dot(&n, &l), A::dot(&n, &v)],
                     );
                     assert_eq!([by_sum.0, by_sum.1].map(cosine), dots);

@@ -80,7 +80,7 @@ pub const SCENE_BUGS: &[Bug] = &[
     ),
     bug(
         "from the end of a highlight's row z² goes forwards",
-        "core/src/shade/highlight/rows.rs",
+        "core/src/shade/highlight/walk.rs",
         "self.square = self.square.wrapping_sub(self.change);",
         "self.square = self.square.wrapping_add(self.change);",
         &["highlight"],

@@ -6,6 +6,7 @@ mod lit_sphere;
 mod lobe_colours;
 mod reach;
 mod rows;
+mod walk;
 mod wide;
 mod word;
 

@@ -4,13 +4,12 @@ use fixed::types::I2F30;
 
 use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, STEP_BITS};
 use super::lobe_colours::{BLACK, LESS_BITS, LobeColours};
+use super::walk::{CHUNK, Offsets, Place, Step, Walk};
 use super::wide::UNIT_BITS;
 use super::word::{OFFSET_BITS, SLOPE_BITS, WAY_BITS, Word};
 
 /// Fraction bits of a step of z² from row to row: those of a step, and a word.
 const SQUARE_BITS: u32 = STEP_BITS + 32;
-/// Pixels over which z² goes on in 32 bits; its last bits would count beyond.
-const CHUNK: i32 = 128;
 
 const _: () = assert!(OFFSET_BITS + SLOPE_BITS == LESS_BITS);
 
@@ -30,140 +29,6 @@ pub struct SphereRows<'a, const COLOURS: usize, const STEPS: usize> {
     /// From a row to the next.
     coarse_down: Offsets,
     down: Step,
-}
-
-/// d and b, or their differences.
-#[derive(Clone, Copy, Debug)]
-struct Offsets {
-    d: i32,
-    b: i32,
-}
-
-/// What is known of a pixel.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    /// 28 fraction bits of the cutoff's, modulo 2³²: within the lobe it is what
-    /// it says.
-    offsets: Offsets,
-    /// z² above where steps begin, in steps with 50 fraction bits, modulo 2⁶⁴.
-    square: i64,
-}
-
-/// From a pixel to another.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    offsets: Offsets,
-    /// Of z², and by how much it changes.
-    square: i64,
-    bend: i64,
-}
-
-/// A pixel of a row, and the way to the next.
-#[derive(Clone, Copy, Debug)]
-struct Walk {
-    offsets: Offsets,
-    /// z² in steps, 18 fraction bits, modulo 2³².
-    square: i32,
-    /// From this pixel to the next.
-    step: Offsets,
-    change: i32,
-    /// By how much `change` changes.
-    bend: i32,
-}
-
-impl Walk {
-    /// From a place on.
-    fn new(place: Place, step: Step) -> Self {
-        Self {
-            offsets: place.offsets,
-            square: upper(place.square),
-            step: step.offsets,
-            change: upper(step.square),
-            bend: upper(step.bend),
-        }
-    }
-
-    /// So many pixels, fewer than 2¹⁶, from a place on.
-    fn beyond(place: Place, step: Step, pixels: u32) -> Self {
-        if cfg!(not(long_multiply)) && pixels == 0 {
-            // Worth a look: the products are the most of a row's beginning.
-            return Self::new(place, step);
-        }
-        // Of the changes 0, 1, … pixels − 1; half of their product would lose the
-        // uppermost bit.
-        let last = pixels.wrapping_sub(1);
-        let (some, others) = if pixels % 2 == 0 {
-            (pixels / 2, last)
-        } else {
-            (pixels, last / 2)
-        };
-        let changes = times(times(step.bend, some), others);
-        let way = times(step.square, pixels).wrapping_add(changes);
-        let place = Place {
-            offsets: place.offsets.plus_times(step.offsets, pixels as i32),
-            square: place.square.wrapping_add(way),
-        };
-        let square = step.square.wrapping_add(times(step.bend, pixels));
-        Self::new(place, Step { square, ..step })
-    }
-
-    /// As many pixels on; `times` is at most [`CHUNK`].
-    fn after(self, times: i32) -> Self {
-        let changes = self.bend.wrapping_mul(times * (times - 1) / 2);
-        Self {
-            offsets: self.offsets.plus_times(self.step, times),
-            square: (self.square.wrapping_add(self.change.wrapping_mul(times)))
-                .wrapping_add(changes),
-            change: self.change.wrapping_add(self.bend.wrapping_mul(times)),
-            ..self
-        }
-    }
-
-    fn forwards(&mut self) {
-        // In the order in which they are wanted next: it decides what is kept in
-        // registers.
-        self.offsets.d = self.offsets.d.wrapping_add(self.step.d);
-        self.square = self.square.wrapping_add(self.change);
-        self.offsets.b = self.offsets.b.wrapping_add(self.step.b);
-        self.change = self.change.wrapping_add(self.bend);
-    }
-
-    /// Forwards in z² alone.
-    fn climb(&mut self) {
-        self.square = self.square.wrapping_add(self.change);
-        self.change = self.change.wrapping_add(self.bend);
-    }
-
-    fn backwards(&mut self) {
-        self.change = self.change.wrapping_sub(self.bend);
-        self.square = self.square.wrapping_sub(self.change);
-        self.offsets = self.offsets.plus_times(self.step, -1);
-    }
-}
-
-const fn upper(double: i64) -> i32 {
-    (double >> 32) as i32
-}
-
-/// A product with a factor below 2¹⁶, without the last bits of what is multiplied.
-const fn times(double: i64, factor: u32) -> i64 {
-    // In two products of a word, where one of two words would be a call.
-    let whole = upper(double).wrapping_mul(factor as i32);
-    let part = (double as u32 >> 16).wrapping_mul(factor);
-    ((whole as i64) << 32).wrapping_add((part as i64) << 16)
-}
-
-impl Offsets {
-    fn plus(self, other: Self) -> Self {
-        self.plus_times(other, 1)
-    }
-
-    fn plus_times(self, other: Self, times: i32) -> Self {
-        Self {
-            d: self.d.wrapping_add(other.d.wrapping_mul(times)),
-            b: self.b.wrapping_add(other.b.wrapping_mul(times)),
-        }
-    }
 }
 
 impl<const STEPS: usize> LitSphere<STEPS> {

@@ -1,0 +1,138 @@
+//! From pixel to pixel of a row, in sums.
+
+/// Pixels over which z² goes on in 32 bits; its last bits would count beyond.
+pub(super) const CHUNK: i32 = 128;
+
+/// d and b, or their differences.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Offsets {
+    pub(super) d: i32,
+    pub(super) b: i32,
+}
+
+/// What is known of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// 28 fraction bits of the cutoff's, modulo 2³²: within the lobe it is what
+    /// it says.
+    pub(super) offsets: Offsets,
+    /// z² above where steps begin, in steps with 50 fraction bits, modulo 2⁶⁴.
+    pub(super) square: i64,
+}
+
+/// From a pixel to another.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    pub(super) offsets: Offsets,
+    /// Of z², and by how much it changes.
+    pub(super) square: i64,
+    pub(super) bend: i64,
+}
+
+/// A pixel of a row, and the way to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Walk {
+    pub(super) offsets: Offsets,
+    /// z² in steps, 18 fraction bits, modulo 2³².
+    pub(super) square: i32,
+    /// From this pixel to the next.
+    pub(super) step: Offsets,
+    pub(super) change: i32,
+    /// By how much `change` changes.
+    pub(super) bend: i32,
+}
+
+impl Walk {
+    /// From a place on.
+    pub(super) fn new(place: Place, step: Step) -> Self {
+        Self {
+            offsets: place.offsets,
+            square: upper(place.square),
+            step: step.offsets,
+            change: upper(step.square),
+            bend: upper(step.bend),
+        }
+    }
+
+    /// So many pixels, fewer than 2¹⁶, from a place on.
+    pub(super) fn beyond(place: Place, step: Step, pixels: u32) -> Self {
+        if cfg!(not(long_multiply)) && pixels == 0 {
+            // Worth a look: the products are the most of a row's beginning.
+            return Self::new(place, step);
+        }
+        // Of the changes 0, 1, … pixels − 1; half of their product would lose the
+        // uppermost bit.
+        let last = pixels.wrapping_sub(1);
+        let (some, others) = if pixels % 2 == 0 {
+            (pixels / 2, last)
+        } else {
+            (pixels, last / 2)
+        };
+        let changes = times(times(step.bend, some), others);
+        let way = times(step.square, pixels).wrapping_add(changes);
+        let place = Place {
+            offsets: place.offsets.plus_times(step.offsets, pixels as i32),
+            square: place.square.wrapping_add(way),
+        };
+        let square = step.square.wrapping_add(times(step.bend, pixels));
+        Self::new(place, Step { square, ..step })
+    }
+
+    /// As many pixels on; `times` is at most [`CHUNK`].
+    pub(super) fn after(self, times: i32) -> Self {
+        let changes = self.bend.wrapping_mul(times * (times - 1) / 2);
+        Self {
+            offsets: self.offsets.plus_times(self.step, times),
+            square: (self.square.wrapping_add(self.change.wrapping_mul(times)))
+                .wrapping_add(changes),
+            change: self.change.wrapping_add(self.bend.wrapping_mul(times)),
+            ..self
+        }
+    }
+
+    pub(super) fn forwards(&mut self) {
+        // In the order in which they are wanted next: it decides what is kept in
+        // registers.
+        self.offsets.d = self.offsets.d.wrapping_add(self.step.d);
+        self.square = self.square.wrapping_add(self.change);
+        self.offsets.b = self.offsets.b.wrapping_add(self.step.b);
+        self.change = self.change.wrapping_add(self.bend);
+    }
+
+    /// Forwards in z² alone.
+    pub(super) fn climb(&mut self) {
+        self.square = self.square.wrapping_add(self.change);
+        self.change = self.change.wrapping_add(self.bend);
+    }
+
+    pub(super) fn backwards(&mut self) {
+        self.change = self.change.wrapping_sub(self.bend);
+        self.square = self.square.wrapping_sub(self.change);
+        self.offsets = self.offsets.plus_times(self.step, -1);
+    }
+}
+
+const fn upper(double: i64) -> i32 {
+    (double >> 32) as i32
+}
+
+/// A product with a factor below 2¹⁶, without the last bits of what is multiplied.
+const fn times(double: i64, factor: u32) -> i64 {
+    // In two products of a word, where one of two words would be a call.
+    let whole = upper(double).wrapping_mul(factor as i32);
+    let part = (double as u32 >> 16).wrapping_mul(factor);
+    ((whole as i64) << 32).wrapping_add((part as i64) << 16)
+}
+
+impl Offsets {
+    pub(super) fn plus(self, other: Self) -> Self {
+        self.plus_times(other, 1)
+    }
+
+    pub(super) fn plus_times(self, other: Self, times: i32) -> Self {
+        Self {
+            d: self.d.wrapping_add(other.d.wrapping_mul(times)),
+            b: self.b.wrapping_add(other.b.wrapping_mul(times)),
+        }
+    }
+}
