@@ -1,12 +1,12 @@
 //! Scene files that mean no good: refused with a place and status 2, within a
-//! second and 500 MB, and nothing is written.
+//! second of a core and 500 MB, and nothing is written.
 #![cfg(unix)]
 
+use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::time::{Duration, Instant};
 
 /// A scene without a mistake.
 const GOOD: &str = r#"[camera]
@@ -30,8 +30,9 @@ exponent = 20
 
 /// What a process may map: more than it may ever hold.
 const KILOBYTES: u32 = 500_000;
-/// How long it may take.
-const TIME: Duration = Duration::from_secs(1);
+/// Seconds of a core's time that it may take: what else the machine does meanwhile
+/// does not count.
+const SECONDS: u32 = 1;
 
 /// A scene file, and what it is called with.
 struct Bench {
@@ -50,13 +51,11 @@ impl Bench {
         self.folder.join(name)
     }
 
-    /// The command over a scene, with its memory limited by the shell.
-    fn run(&self, command: &str, text: &[u8]) -> (Output, Duration) {
+    /// The command over a scene, limited by the shell.
+    fn run(&self, command: &str, text: &[u8]) -> Output {
         let scene = self.path("bad.toml");
         fs::write(&scene, text).expect("a scene");
-        let begun = Instant::now();
-        let output = limited(command, &scene, &self.path("out"));
-        (output, begun.elapsed())
+        limited(command, &scene, &self.path("out"))
     }
 }
 
@@ -66,15 +65,27 @@ impl Drop for Bench {
     }
 }
 
+/// A command that writes a file, as [`within_limits`].
 fn limited(command: &str, scene: &Path, output: &Path) -> Output {
     let _ = fs::remove_file(output);
+    within_limits(&[
+        command.as_ref(),
+        scene.as_os_str(),
+        "-o".as_ref(),
+        output.as_os_str(),
+    ])
+}
+
+/// The program; the system ends it where it takes more than it may.
+fn within_limits(arguments: &[&OsStr]) -> Output {
     Command::new("sh")
         .arg("-c")
-        .arg(format!("ulimit -v {KILOBYTES}; exec \"$@\""))
+        .arg(format!(
+            "ulimit -v {KILOBYTES}; ulimit -t {SECONDS}; exec \"$@\""
+        ))
         .arg("sh")
         .arg(env!("CARGO_BIN_EXE_microbrdf"))
-        .args([command.as_ref(), scene.as_os_str(), "-o".as_ref()])
-        .arg(output)
+        .args(arguments)
         // Stacks are mapped in full: as many as cores would be counted.
         .env("RAYON_NUM_THREADS", "2")
         .stdin(Stdio::null())
@@ -93,22 +104,14 @@ fn refused(name: &str, text: impl AsRef<[u8]>, place: &str, parts: &[&str]) {
 #[track_caller]
 fn refused_in(bench: &Bench, name: &str, text: impl AsRef<[u8]>, place: &str, parts: &[&str]) {
     for command in ["render", "bake", "compare"] {
-        let (output, time) = if command == "compare" {
-            let scene = bench.path("bad.toml");
-            let begun = Instant::now();
-            let output = Command::new(env!("CARGO_BIN_EXE_microbrdf"))
-                .args([command.as_ref(), scene.as_os_str()])
-                .stdin(Stdio::null())
-                .output()
-                .expect("a process");
-            (output, begun.elapsed())
+        let output = if command == "compare" {
+            within_limits(&[command.as_ref(), bench.path("bad.toml").as_os_str()])
         } else {
             bench.run(command, text.as_ref())
         };
         let said = String::from_utf8_lossy(&output.stderr);
         let short: String = said.chars().take(400).collect();
         assert_eq!(output.status.code(), Some(2), "{name}, {command}: {short}");
-        assert!(time < TIME, "{name}, {command}: took {time:?}");
         assert!(
             said.len() < 1000,
             "{name}, {command}: {} bytes: {short}",
@@ -150,7 +153,7 @@ fn spoilt(line: usize, by: &str) -> String {
 fn the_good_scene_is_rendered_within_the_limits() {
     let bench = Bench::new("good");
     for command in ["render", "bake"] {
-        let (output, _) = bench.run(command, GOOD.as_bytes());
+        let output = bench.run(command, GOOD.as_bytes());
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{command}: {said}");
         assert!(bench.path("out").exists());
@@ -175,10 +178,9 @@ fn truncated() {
     // Cut behind any line, it is a smaller scene, or is refused at a place.
     for (number, _) in GOOD.match_indices('\n').take(6) {
         let bench = Bench::new("lines");
-        let (output, time) = bench.run("render", &GOOD.as_bytes()[..number]);
+        let output = bench.run("render", &GOOD.as_bytes()[..number]);
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(matches!(output.status.code(), Some(0 | 2)), "{said}");
-        assert!(time < TIME, "{time:?}");
     }
 }
 
@@ -368,7 +370,7 @@ fn a_good_mesh_is_rendered_within_the_limits() {
     let all = vertices.to_owned() + &"f 1 2 3\n".repeat(100_000);
     fs::write(bench.path("it.obj"), all).expect("a mesh");
     for command in ["render", "bake"] {
-        let (output, _) = bench.run(command, with_mesh("it.obj").as_bytes());
+        let output = bench.run(command, with_mesh("it.obj").as_bytes());
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{command}: {said}");
     }
@@ -495,11 +497,9 @@ fn what_can_not_be_read() {
         bench.folder.clone(),
         "/dev/zero".into(),
     ] {
-        let begun = Instant::now();
         let output = limited("render", &scene, &bench.path("out"));
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(begun.elapsed() < TIME);
         assert!(said.contains(&scene.display().to_string()), "{said}");
     }
 }

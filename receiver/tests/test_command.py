@@ -21,6 +21,8 @@ from PIL import Image
 if sys.platform == "win32":
     pytest.skip("ptys are not to be had on Windows", allow_module_level=True)
 
+import fcntl
+import termios
 import tty
 
 SENT = sender.Sent(256, 128)
@@ -44,16 +46,23 @@ class Pty:
         while data:
             data = data[os.write(self.master, data[:1000]) :]
 
+    def waiting(self) -> bool:
+        """Whether the line holds what the command has not read."""
+        count = fcntl.ioctl(self.slave, termios.FIONREAD, bytes(4))
+        return any(count)
+
     def close(self) -> None:
         for descriptor in (self.master, self.slave):
             os.close(descriptor)
 
 
-def wait_until_read(sending: threading.Thread) -> None:
+def wait_until_read(line: Pty, sending: threading.Thread) -> None:
     """Wait until the command has read what is being sent."""
-    sending.join(60)
-    assert not sending.is_alive()
-    # The line itself holds the last 4 KiB or so.
+    deadline = time.monotonic() + 60
+    while sending.is_alive() or line.waiting():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+    # What was read last has still to be taken in.
     time.sleep(1)
 
 
@@ -143,7 +152,7 @@ def test_rgb565(folder: Path) -> None:
 
 def test_slow_device_is_not_silent(folder: Path) -> None:
     packets = sender.Sent(5, 10).packets()
-    status, _, _ = run(serve(*packets, pause=0.2), "--timeout", "1.5")
+    status, _, _ = run(serve(*packets, pause=0.4), "--timeout", "3")
     assert status == 0
 
 
@@ -152,7 +161,7 @@ def test_silence_in_mid_frame_keeps_what_arrived(pty: Pty, folder: Path) -> None
     pty.send(b"".join(packets[:100]))
     begun = time.monotonic()
     status, output, errors = run(pty.name, "--timeout", "1", "--report", "r.json")
-    assert 1 <= time.monotonic() - begun < 10
+    assert 1 <= time.monotonic() - begun < 30
     assert status == 1
     assert output == ""
     assert "fell silent: no packet for 1 s" in errors
@@ -177,7 +186,7 @@ def test_silence_from_the_start_writes_no_picture(pty: Pty, folder: Path) -> Non
 
 
 def test_noise_without_end_counts_as_silence(folder: Path) -> None:
-    status, _, errors = run(serve(*[b"\x55\xaa\0" * 10] * 40, pause=0.05), "--timeout", "0.7")
+    status, _, errors = run(serve(*[b"\x55\xaa\0" * 10] * 400, pause=0.05), "--timeout", "0.7")
     assert status == 1
     assert "but no header" in errors
     assert "--baud" in errors
@@ -198,7 +207,7 @@ def test_pty_that_goes_away_in_mid_frame(folder: Path) -> None:
     line = Pty()
     sending = line.send(b"".join(SENT.packets()[:100]))
     process = start(line.name, "--timeout", "30")
-    wait_until_read(sending)
+    wait_until_read(line, sending)
     line.close()
     status, _, errors = finish(process)
     assert status == 1
@@ -297,7 +306,7 @@ def test_log_goes_to_a_file(folder: Path) -> None:
 def test_interruption_keeps_what_arrived(pty: Pty, folder: Path) -> None:
     sending = pty.send(b"".join(SENT.packets()[:100]))
     process = start(pty.name, "--timeout", "30")
-    wait_until_read(sending)
+    wait_until_read(pty, sending)
     process.send_signal(signal.SIGINT)
     status, _, errors = finish(process)
     assert status == 1

@@ -14,6 +14,8 @@ use crate::fuzz::setting;
 const FEWEST: u64 = 20;
 /// How long a file may take.
 const LONGEST: Duration = Duration::from_secs(1);
+/// How often it is tried: a machine that does something else is slow once.
+const TRIES: usize = 5;
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug)]
@@ -51,17 +53,23 @@ impl Files {
             let text = self.file(seed);
             let started = Instant::now();
             let outcome = catch_unwind(|| check(&text));
-            let took = started.elapsed();
+            let mut took = started.elapsed();
             let was_read = match outcome.unwrap_or_else(|_| Err("it panicked".to_owned())) {
                 Ok(was_read) => was_read,
                 Err(fault) => {
                     panic!("{name}: {fault}; again with MICROBRDF_FUZZ_SEED={seed}\n{text}")
                 }
             };
-            assert!(
-                (was_read && !self.all_are_timed) || took < LONGEST,
-                "{took:?} with MICROBRDF_FUZZ_SEED={seed}"
-            );
+            if self.all_are_timed || !was_read {
+                let mut tries = 1;
+                while took >= LONGEST && tries < TRIES {
+                    let started = Instant::now();
+                    let _ = check(&text);
+                    took = started.elapsed();
+                    tries += 1;
+                }
+                assert!(took < LONGEST, "{took:?} with MICROBRDF_FUZZ_SEED={seed}");
+            }
             read += u64::from(was_read);
             cases += 1;
         }
