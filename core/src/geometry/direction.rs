@@ -55,7 +55,11 @@ impl<const KNOTS: usize> Direction<Q15<KNOTS>> {
     /// Its components' bits.
     #[inline(always)]
     pub(crate) fn bits(&self) -> [i32; 3] {
-        [self.x, self.y, self.z].map(|component| i32::from(component.to_bits()))
+        [
+            i32::from(self.x.to_bits()),
+            i32::from(self.y.to_bits()),
+            i32::from(self.z.to_bits()),
+        ]
     }
 }
 
