@@ -15,7 +15,7 @@ use microbrdf_tests::frame::in_frame;
 const TINT: [f64; 3] = [1.0, 0.75, 1.0 / 3.0];
 /// Pixels whose centre is so near to the sphere's edge, in radii, are not held
 /// to a bound: there z, and with it the picture, changes without one.
-const EDGE: f64 = 2.5e-4;
+const EDGE: f64 = 1e-5;
 
 fn number(value: f64) -> U32F32 {
     U32F32::from_num(value)
@@ -152,17 +152,17 @@ fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64])
 
 /// Pixels of a picture's side, and of the sphere's radius.
 const PICTURES: [(usize, f64); 6] = [
-    (133, 20.0),
+    (77, 20.0),
     (133, 50.0),
     (133, 64.0),
     (133, 150.0),
     (133, 1000.0),
     (640, 300.0),
 ];
-/// Between L and V, to 115°.
-const ANGLES: [f64; 9] = [0.0, 1e-3, 0.1, 0.3, 0.66, 0.9, 1.2, 1.5, 2.0];
-/// Beyond the usual, to 172°.
-const BEHIND: [f64; 3] = [2.3, 2.6, 3.0];
+/// Between L and V, to 179.9°.
+const ANGLES: [f64; 17] = [
+    0.0, 1e-3, 0.1, 0.3, 0.66, 0.9, 1.2, 1.35, 1.5, 1.7, 2.0, 2.3, 2.6, 2.8, 3.0, 3.1, 3.14,
+];
 
 #[test]
 fn at_most_one_level_off_at_full_light() {
@@ -174,15 +174,10 @@ fn at_most_one_level_off_at_full_light() {
     }
     assert!(lit > 100_000, "{lit}");
     // Steeper in the dark, and wider, so that its edge counts.
-    for n in [1.1, 1.25] {
+    for n in [1.0, 1.1, 1.25] {
         let found = worst::<1024, 1024>(n, 1.0, &ANGLES);
         assert!(found.0 <= 1.0, "n = {n}: {found:?}");
     }
-    let (front, behind) = ANGLES.split_at(ANGLES.len() - 1);
-    let found = worst::<2048, 2048>(1.0, 1.0, front);
-    assert!(found.0 <= 1.0, "{found:?}");
-    let found = worst::<2048, 2048>(1.0, 1.0, behind);
-    assert!((2.0..=3.0).contains(&found.0), "{found:?}");
 }
 
 #[test]
@@ -192,6 +187,8 @@ fn at_most_one_level_off_at_the_lobes_own_peak() {
         let found = worst::<512, 512>(n, peak, &ANGLES);
         assert!(found.0 <= 1.0, "n = {n}: {found:?}");
     }
+    let found = worst::<1024, 1024>(1.0, 3.0 / std::f64::consts::TAU, &ANGLES);
+    assert!(found.0 <= 1.0, "n = 1: {found:?}");
 }
 
 /// Over parts of large spheres, here and there in the lobe.
@@ -222,17 +219,11 @@ fn at_most_one_level_off_in_parts_of_large_spheres() {
         lit += found.1;
     }
     let peak = |n: f64| (n + 2.0) / std::f64::consts::TAU;
-    for n in [1.5, 2.0, 20.0, 100.0] {
+    for n in [1.5, 2.0, 20.0, 100.0, 500.0] {
         let found = worst_of_parts(n, peak(n), &ANGLES);
         assert!(found.0 <= 1.0, "n = {n} at its peak: {found:?}");
         lit += found.1;
     }
-    // Lights to 86°; at 115° the tables' steps add up to two levels, if rarely.
-    let (sideways, others) = ANGLES.split_last().expect("angles");
-    let found = worst_of_parts(500.0, peak(500.0), others);
-    assert!(found.0 <= 1.0, "n = 500 at its peak: {found:?}");
-    let found = worst_of_parts(500.0, peak(500.0), &[*sideways]);
-    assert!(found.0 <= 2.0, "n = 500 at its peak, sideways: {found:?}");
     assert!(lit > 1_000_000, "{lit}");
 }
 
@@ -254,16 +245,6 @@ fn small_tables_are_enough_from_20_on() {
     }
 }
 
-/// A light behind the sphere leaves a hair at its edge.
-#[test]
-fn lights_from_behind_are_some_levels_off() {
-    let mut most = 0.0f64;
-    for n in [1.5, 2.0, 20.0, 100.0, 500.0, 5000.0] {
-        most = most.max(worst::<512, 512>(n, 1.0, &BEHIND).0);
-    }
-    assert!((5.0..=7.0).contains(&most), "{most}");
-}
-
 #[test]
 fn nothing_is_lit_from_straight_behind_nor_without_light() {
     let picture = Picture::about([0.0, 0.0], 1.0 / 50.0, 133);
@@ -277,7 +258,7 @@ fn nothing_is_lit_from_straight_behind_nor_without_light() {
             .all(|(_, code)| *code == 0)
     };
     assert!(dark(1.0, [zero, zero, I2F30::NEG_ONE]));
-    assert!(dark(1.0, light(std::f64::consts::PI - 0.01, 1.0)));
+    assert!(dark(1.0, light(std::f64::consts::PI - 1e-4, 1.0)));
     assert!(dark(1.0, [zero; 3]));
     assert!(dark(0.0, light(0.5, 1.0)));
     assert!(dark(1e-4, light(0.5, 1.0)));
@@ -286,8 +267,8 @@ fn nothing_is_lit_from_straight_behind_nor_without_light() {
 
 #[test]
 fn tables_have_the_size_that_is_documented() {
-    assert_eq!(size_of::<LobeColours<512>>(), 2 * 512 + 2052);
-    assert_eq!(size_of::<LitSphere<512>>(), 4 * 512 + 548);
+    assert_eq!(size_of::<LobeColours<512>>(), 2 * 512 + 2056);
+    assert_eq!(size_of::<LitSphere<512>>(), 4 * 512 + 64);
 }
 
 /// The same picture, whatever the length of L.

@@ -54,12 +54,19 @@ impl Root {
         }
     }
 
+    /// √x with 32 fraction bits, 1/√x with 31, and how often √x is halved for the root
+    /// of 2⁻⁶⁴ · `square`; the first two within 12 and 8 of exact.
+    #[inline]
+    pub(crate) fn parts(&self) -> (u32, u32, u32) {
+        let root = product(self.mantissa, self.inverse) as u32;
+        (root, self.inverse, self.shift / 2)
+    }
+
     /// √`square`, within 12 · 2⁻³² of its value and a step; of 0 it is 0.
     #[inline]
     pub(crate) fn root(&self) -> u32 {
-        // x/√x with 32 fraction bits, then back by half of the shift.
-        let root = product(self.mantissa, self.inverse) as u32;
-        root.checked_shr(self.shift / 2).unwrap_or(0)
+        let (root, _, halvings) = self.parts();
+        root.checked_shr(halvings).unwrap_or(0)
     }
 
     /// 2⁵⁸/√`square` for a square from 2⁵⁶ on, within three steps; a smaller one

@@ -1,6 +1,7 @@
 //! A light's geometry on a sphere that is seen from afar.
 
 use super::angle::Angle;
+use super::edge::{self, Edge};
 use super::lobe_colours::{LobeColours, in_ratios};
 use super::reach::Reach;
 use super::wide::{UNIT, UNIT_BITS, product, quotient, root};
@@ -14,13 +15,9 @@ pub(super) const COEFFICIENT_BITS: u32 = 28;
 /// unit of the coefficients.
 const SLACK: i32 = (super::reach::SLACK >> (UNIT_BITS - COEFFICIENT_BITS)) as i32;
 /// cosθ below which the highlight is a hair at the sphere's edge.
-const DARK: i64 = UNIT >> 6;
+const DARK: i64 = UNIT >> 12;
 /// Fraction bits of a step of z².
 pub(super) const STEP_BITS: u32 = 18;
-/// The first so many steps of z² are parted, each in `1 << FINE_BITS`.
-const FINE: u32 = 16;
-const FINE_BITS: u32 = 3;
-const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 
 /// A unit sphere, seen along −z from afar, under one distant light: what
 /// [`Self::rows`] needs of the light and of the lobe's width, 4 · `STEPS` + 548
@@ -78,10 +75,10 @@ const FINE_CELLS: usize = (FINE << FINE_BITS) as usize;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LitSphere<const STEPS: usize = 256> {
-    /// Over steps of z², from after the first ones to where the lobe may reach.
+    /// Over steps of z², from the edge's pixels to where the lobe may reach.
     cells: [Word; STEPS],
-    /// Over parts of the first steps: z falls steeply at the edge.
-    edge: [Word; FINE_CELLS],
+    /// For those where z² is less: z falls steeply there.
+    pub(super) edge: Edge,
     /// cosθ times the highlight's azimuth, over the cutoff's mantissa.
     pub(super) azimuth: [i32; 2],
     /// What is taken from d, in the same unit.
@@ -119,13 +116,17 @@ impl<const STEPS: usize> LitSphere<STEPS> {
 
         let reach = Reach::new(&angle, radius);
         let [low, high] = reach.heights;
-        let lowest = (low * low) >> UNIT_BITS;
-        let [below, above] = reach.squares(lowest);
+        let least = (low * low) >> UNIT_BITS;
         let mut step_bits = 0;
-        // Nor must it wrap round where the lobe is sought.
-        while above >> step_bits >= STEPS as i64 + FINE as i64
-            || below >> step_bits >= 1 << (31 - STEP_BITS)
-        {
+        let mut lowest;
+        loop {
+            let end = edge::end(colours, &angle, step_bits);
+            lowest = if least > end { least } else { end };
+            let [below, above] = reach.squares(lowest);
+            // Nor must it wrap round where the lobe is sought.
+            if above >> step_bits < STEPS as i64 && below >> step_bits < 1 << (31 - STEP_BITS) {
+                break;
+            }
             step_bits += 1;
         }
         let middle = (low + high) / 2;
@@ -139,15 +140,8 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         let mut cells = [Word::BEYOND; STEPS];
         let mut cell = 0;
         while cell < STEPS {
-            let steps = 2 * (cell as i64 + FINE as i64) + 1;
+            let steps = 2 * cell as i64 + 1;
             cells[cell] = height.word(lowest + (steps << step_bits) / 2);
-            cell += 1;
-        }
-        let mut edge = [Word::BEYOND; FINE_CELLS];
-        let mut cell = 0;
-        while cell < FINE_CELLS {
-            let part = ((2 * cell as i64 + 1) << step_bits) >> FINE_BITS;
-            edge[cell] = height.word(lowest + part / 2);
             cell += 1;
         }
         let scaled = product(cosine, mantissa);
@@ -162,21 +156,21 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         };
         Self {
             cells,
-            edge,
+            edge: Edge::new(lowest > least, sine, colours.radius, tilt, middle),
             azimuth: [
                 product(scaled, angle.azimuth[0]) as i32,
                 product(scaled, angle.azimuth[1]) as i32,
             ],
             height: product(tilt, middle) as i32,
             narrowness,
-            lowest: (lowest + ((FINE as i64) << step_bits)) as i32,
+            lowest: lowest as i32,
             step_bits,
             along: [from - SLACK, to - from + 2 * SLACK],
             across: ((1 << COEFFICIENT_BITS) >> narrowness) + SLACK,
         }
     }
 
-    /// The word at z² in steps, less the first ones; where the lobe may reach
+    /// The word at z² in steps from the first; where the lobe may reach
     /// it is none beyond the last.
     #[inline(always)]
     pub(super) const fn at(&self, square: i32) -> Word {
@@ -190,18 +184,6 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     #[inline(always)]
     pub(super) const fn at_half(&self, half: u16) -> Word {
         self.cells[(half as u32 >> (STEP_BITS + Self::ABOVE - 16)) as usize % STEPS]
-    }
-
-    /// The same where z² in steps, less the first ones, is negative.
-    // Cortex-M3 keeps less of the loop between the edges in registers with it inlined.
-    #[cfg_attr(saturates, inline(never))]
-    #[cfg_attr(not(saturates), inline(always))]
-    pub(super) fn at_edge(&self, square: i32) -> Word {
-        let square = square.wrapping_add((FINE << STEP_BITS) as i32);
-        match self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize) {
-            Some(word) => *word,
-            None => Word::BEYOND,
-        }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::arithmetic::exponent;
 use crate::colour::{Rgb, greatest};
 use crate::error::ParameterError;
 use crate::shade::Linear;
+use super::wide::quotient;
 use crate::table::integer::{ONE, divide, exp_neg, neg_ln_one_minus, power_of_one_minus, round_to};
 
 /// Fraction bits of x over its cutoff.
@@ -27,6 +28,8 @@ pub(super) const BLACK: u16 = 0;
 /// Light, 64 fraction bits, that no channel of RGB565 shows: half of the
 /// least level of green.
 const UNSEEN: u128 = ONE / 1640;
+/// ln 5, 64 fraction bits.
+const LN_5: u128 = 0x1_9C04_1F7E_D8D3_36AF;
 
 /// RGB565 codes of K · cosⁿα · cosΘL/cosΘmin (3.7), in `CELLS` steps of
 /// x = 1 − cosα from the mirror direction to where nothing is seen.
@@ -42,6 +45,8 @@ pub struct LobeColours<const CELLS: usize = 256> {
     shifts: [Shift; RATIOS],
     /// √(cutoff/2), 32 fraction bits.
     pub(super) radius: u32,
+    /// Levels of green over a cutoff, at the slope of the lobe's darkest.
+    pub(super) steepness: u32,
 }
 
 impl<const CELLS: usize> LobeColours<CELLS> {
@@ -84,6 +89,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             colours,
             shifts,
             radius: (cutoff >> 1).isqrt() as u32,
+            steepness: steepness(n, cutoff),
         })
     }
 
@@ -104,6 +110,28 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             Some(shift) => shift.moved(x()),
             None => i32::MAX,
         }
+    }
+
+    /// The x that is half as bright as this one.
+    pub(super) fn halved(&self, x: i32) -> i32 {
+        // Its middle is a half.
+        const HALF: usize = RATIOS / 2 - 1;
+        self.shifts[HALF].moved(x)
+    }
+
+    /// The level of green, or what the other channels' are worth in it, where x is
+    /// square(`offset`/`radius`), both in the same unit.
+    pub(super) const fn level_at(&self, offset: i64, radius: i64) -> i64 {
+        if offset >= radius {
+            return 0;
+        }
+        // Below 1, with 15 fraction bits; of its square, 30.
+        let part = quotient(offset << 15, radius);
+        let cell = (part * part * CELLS as i64) >> 30;
+        let code = self.colours[cell as usize] as i64;
+        let [red, green, blue] = [code >> 10 & 63, code >> 5 & 63, code << 1 & 63];
+        let most = if red > green { red } else { green };
+        if most > blue { most } else { blue }
     }
 }
 
@@ -144,6 +172,23 @@ const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
         cutoff as u64
     } else {
         u64::MAX
+    }
+}
+
+/// How many levels of green the code falls by over a cutoff at most, per unit of what
+/// it is from one to the next: of K · (1 − x)ⁿ the slope is n/(1 − x) of it, and sRGB is
+/// straight up to five times what is seen last, half a level.
+const fn steepness(n: u64, cutoff: u64) -> u32 {
+    const MOST: u128 = 1 << 20;
+    // 32 fraction bits, as of n.
+    let power = (n as u128 * (cutoff as u128 >> 32)) >> 32;
+    let fifth_root = exp_neg(divide(LN_5 << 32, n as u128));
+    let slope = (5 * power * (fifth_root >> 32)) >> 33;
+    let steepness = divide(slope << 32, ONE - cutoff as u128);
+    if steepness < MOST {
+        steepness as u32
+    } else {
+        MOST as u32
     }
 }
 

@@ -2,6 +2,7 @@
 //! straight to a display's codes.
 
 mod angle;
+mod edge;
 mod lit_sphere;
 mod lobe_colours;
 mod reach;

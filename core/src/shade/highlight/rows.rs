@@ -4,12 +4,16 @@ use fixed::types::I2F30;
 
 use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, STEP_BITS};
 use super::lobe_colours::{BLACK, LESS_BITS, LobeColours};
-use super::walk::{CHUNK, Offsets, Place, Step, Walk};
+use super::walk::{CHUNK, Offsets, Place, Step, Walk, upper};
 use super::wide::UNIT_BITS;
 use super::word::{OFFSET_BITS, SLOPE_BITS, WAY_BITS, Word};
 
 /// Fraction bits of a step of z² from row to row: those of a step, and a word.
 const SQUARE_BITS: u32 = STEP_BITS + 32;
+
+/// An eighth of a step of z²: what a walk in words loses along a chunk is less, and
+/// nothing is looked up before the first step.
+const NEAR: i64 = 1 << (SQUARE_BITS - 3);
 
 const _: () = assert!(OFFSET_BITS + SLOPE_BITS == LESS_BITS);
 
@@ -159,26 +163,41 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, before: u32, pixels: &mut [u16]) {
-        let mut first = Walk::beyond(self.place, self.across, before);
-        let mut last = first.after(pixels.len() as i32 - 1);
+        let (mut first, mut step) = self.place.beyond(self.across, before);
         let mut rest = pixels.iter_mut();
-        while first.square < 0 {
+        while first.square < NEAR {
             let Some(pixel) = rest.next() else { return };
-            *pixel = self.pixel(first.offsets, self.lit.at_edge(first.square));
-            first.forwards();
+            *pixel = self.edge(first);
+            first.forwards(&mut step);
         }
-        while last.square < 0 {
-            let Some(pixel) = rest.next_back() else {
-                return;
-            };
-            *pixel = self.pixel(last.offsets, self.lit.at_edge(last.square));
-            last.backwards();
+        let walk = Walk::new(first, step);
+        let Some(others) = rest.len().checked_sub(1) else {
+            return;
+        };
+        if walk.after(others as i32).square < upper(NEAR) {
+            let (mut last, mut step) = first.beyond(step, others as u32);
+            while last.square < NEAR {
+                let Some(pixel) = rest.next_back() else {
+                    return;
+                };
+                *pixel = self.edge(last);
+                last.backwards(&mut step);
+            }
         }
         if cfg!(long_multiply) {
-            self.in_one_run(first, rest.into_slice());
+            self.in_one_run(walk, rest.into_slice());
         } else {
-            self.in_two_runs(first, rest.into_slice());
+            self.in_two_runs(walk, rest.into_slice());
         }
+    }
+
+    /// A pixel at the sphere's edge.
+    // Not inlined twice.
+    #[inline(never)]
+    fn edge(&self, place: Place) -> u16 {
+        let above = place.square >> (SQUARE_BITS - self.lit.step_bits);
+        let square = i64::from(self.lit.lowest) + above;
+        self.lit.edge.pixel(self.colours, place.offsets, square)
     }
 
     /// Pixels between the edges.
@@ -269,7 +288,8 @@ mod tests {
             let start = [I2F30::ONE / -2, I2F30::ONE / 8];
             let rows = lit.rows(&colours, start, [I2F30::ONE / 128; 2]);
             for before in 0..80 {
-                let walk = Walk::beyond(rows.place, rows.across, before);
+                let (place, step) = rows.place.beyond(rows.across, before);
+                let walk = Walk::new(place, step);
                 let (mut once, mut twice) = ([1; CHUNK as usize], [2; CHUNK as usize]);
                 let count = 3 * before as usize % CHUNK as usize;
                 rows.in_one_run(walk, &mut once[..count]);

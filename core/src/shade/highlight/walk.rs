@@ -29,6 +29,45 @@ pub(super) struct Step {
     pub(super) bend: i64,
 }
 
+impl Place {
+    /// So many pixels on, fewer than 2¹⁶; the step is the one from there.
+    pub(super) fn beyond(self, step: Step, pixels: u32) -> (Self, Step) {
+        if cfg!(not(long_multiply)) && pixels == 0 {
+            // Worth a look: the products are the most of a row's beginning.
+            return (self, step);
+        }
+        // Of the changes 0, 1, … pixels − 1; half of their product would lose the
+        // uppermost bit.
+        let last = pixels.wrapping_sub(1);
+        let (some, others) = if pixels % 2 == 0 {
+            (pixels / 2, last)
+        } else {
+            (pixels, last / 2)
+        };
+        let changes = times(times(step.bend, some), others);
+        let way = times(step.square, pixels).wrapping_add(changes);
+        let place = Self {
+            offsets: self.offsets.plus_times(step.offsets, pixels as i32),
+            square: self.square.wrapping_add(way),
+        };
+        let square = step.square.wrapping_add(times(step.bend, pixels));
+        (place, Step { square, ..step })
+    }
+
+    /// A pixel forwards.
+    pub(super) fn forwards(&mut self, step: &mut Step) {
+        self.offsets = self.offsets.plus(step.offsets);
+        self.square = self.square.wrapping_add(step.square);
+        step.square = step.square.wrapping_add(step.bend);
+    }
+
+    pub(super) fn backwards(&mut self, step: &mut Step) {
+        step.square = step.square.wrapping_sub(step.bend);
+        self.square = self.square.wrapping_sub(step.square);
+        self.offsets = self.offsets.plus_times(step.offsets, -1);
+    }
+}
+
 /// A pixel of a row, and the way to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Walk {
@@ -52,30 +91,6 @@ impl Walk {
             change: upper(step.square),
             bend: upper(step.bend),
         }
-    }
-
-    /// So many pixels, fewer than 2¹⁶, from a place on.
-    pub(super) fn beyond(place: Place, step: Step, pixels: u32) -> Self {
-        if cfg!(not(long_multiply)) && pixels == 0 {
-            // Worth a look: the products are the most of a row's beginning.
-            return Self::new(place, step);
-        }
-        // Of the changes 0, 1, … pixels − 1; half of their product would lose the
-        // uppermost bit.
-        let last = pixels.wrapping_sub(1);
-        let (some, others) = if pixels % 2 == 0 {
-            (pixels / 2, last)
-        } else {
-            (pixels, last / 2)
-        };
-        let changes = times(times(step.bend, some), others);
-        let way = times(step.square, pixels).wrapping_add(changes);
-        let place = Place {
-            offsets: place.offsets.plus_times(step.offsets, pixels as i32),
-            square: place.square.wrapping_add(way),
-        };
-        let square = step.square.wrapping_add(times(step.bend, pixels));
-        Self::new(place, Step { square, ..step })
     }
 
     /// As many pixels on; `times` is at most [`CHUNK`].
@@ -104,15 +119,9 @@ impl Walk {
         self.square = self.square.wrapping_add(self.change);
         self.change = self.change.wrapping_add(self.bend);
     }
-
-    pub(super) fn backwards(&mut self) {
-        self.change = self.change.wrapping_sub(self.bend);
-        self.square = self.square.wrapping_sub(self.change);
-        self.offsets = self.offsets.plus_times(self.step, -1);
-    }
 }
 
-const fn upper(double: i64) -> i32 {
+pub(super) const fn upper(double: i64) -> i32 {
     (double >> 32) as i32
 }
 

@@ -12,7 +12,7 @@ pub(super) const SLOPE_BITS: u32 = 8;
 /// Four cutoffs, farther than which none is told from another: within the
 /// lobe's reach, whose pixels are less than two from its middle, they are beyond
 /// the lobe.
-const FAR: i64 = 4 << (OFFSET_BITS + WAY_BITS);
+pub(super) const FAR: i64 = 4 << (OFFSET_BITS + WAY_BITS);
 
 /// d's part along z, in cutoffs with 28 fraction bits, rounded so that its lower
 /// half is a slope: 2sinθ · cutoff/z with its sign changed, 8 fraction bits.
