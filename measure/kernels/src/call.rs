@@ -100,8 +100,9 @@ pub enum Call {
     Half(extern "C" fn(u16) -> u32),
     /// As [`Self::Half`], the same for three channels.
     Halves(extern "C" fn(u16, u16, u16) -> u32),
-    /// A point in the middle, as [`Self::Number`] takes one, to rows of pixels.
-    Rows(extern "C" fn(u32, &mut Tile)),
+    /// A point in the middle, as [`Self::Number`] takes one, to rows of pixels under
+    /// a light, 14 fraction bits.
+    Rows(extern "C" fn(u32, &mut Tile), [i16; 3]),
     /// A number to a number.
     Number(extern "C" fn(u32) -> u32),
 }
@@ -186,7 +187,7 @@ impl Kernel {
     #[must_use]
     pub fn pixels(&self) -> usize {
         match self.call {
-            Call::Rows(_) => WIDE * HIGH,
+            Call::Rows(..) => WIDE * HIGH,
             _ => 1,
         }
     }
@@ -264,7 +265,7 @@ impl Kernel {
                 let result = function(half as u16, half as u16, half as u16);
                 (vec![half; 3], Vec::new(), vec![result])
             }
-            Call::Rows(function) => {
+            Call::Rows(function, _) => {
                 let mut pixels = [[0; WIDE]; HIGH];
                 function(n[0], &mut pixels);
                 let words = pixels

@@ -33,12 +33,15 @@ const fn gain(k: f64) -> Rgb<U32F32> {
     }
 }
 
-/// The light's direction, from 14 fraction bits.
-const fn light() -> Direction<Q31> {
+/// A light 140° from the viewer, 14 fraction bits.
+const BEHIND: [i16; 3] = [-6319, 8425, -12_551];
+
+/// A light's direction, from 14 fraction bits.
+const fn direction(light: [i16; 3]) -> Direction<Q31> {
     Direction {
-        x: I2F30::from_bits((LIGHT[0] as i32) << 16),
-        y: I2F30::from_bits((LIGHT[1] as i32) << 16),
-        z: I2F30::from_bits((LIGHT[2] as i32) << 16),
+        x: I2F30::from_bits((light[0] as i32) << 16),
+        y: I2F30::from_bits((light[1] as i32) << 16),
+        z: I2F30::from_bits((light[2] as i32) << 16),
     }
 }
 
@@ -58,12 +61,13 @@ pub extern "C" fn moved(light: u32) -> u32 {
 }
 
 macro_rules! rows {
-    ($($module:ident $symbol:literal $n:literal $k:expr, $exposure:literal $fields:literal)+) => {
+    ($($module:ident $symbol:literal $n:literal $k:expr, $exposure:literal $fields:literal
+        $colours:literal $steps:literal $light:ident)+) => {
         $(mod $module {
             use super::*;
 
-            static COLOURS: LobeColours<512> = constant!(LobeColours::new(number($n), gain($k)));
-            static LIT: LitSphere<512> = LitSphere::new(&COLOURS, light());
+            static COLOURS: LobeColours<$colours> = constant!(LobeColours::new(number($n), gain($k)));
+            static LIT: LitSphere<$steps> = LitSphere::new(&COLOURS, direction($light));
 
             #[doc = $symbol]
             #[allow(unsafe_code)]
@@ -98,21 +102,24 @@ macro_rules! rows {
         }, $(Kernel {
             name: $symbol,
             arithmetic: "q15",
-            variant: "core, rows, 512 colours, 512 steps",
+            variant: concat!("core, rows, ", $colours, " colours, ", $steps, " steps"),
             model: "sphere",
             fields: $fields,
             width: $n,
             exposure: $exposure,
             k: $k,
-            call: Call::Rows($module::row),
+            call: Call::Rows($module::row, $light),
         }),+];
     };
 }
 
 rows! {
-    row_20_k1 "q15_sphere_row_20" 20.0 1.0, "1" "exponent = 20"
-    row_20_kc "q15_sphere_row_20_kc" 20.0 lobe_peak(20.0), "c" "exponent = 20"
-    row_500_k1 "q15_sphere_row_500" 500.0 1.0, "1" "exponent = 500"
-    row_500_kc "q15_sphere_row_500_kc" 500.0 lobe_peak(500.0), "c" "exponent = 500"
-    row_5000_k1 "q15_sphere_row_5000" 5000.0 1.0, "1" "exponent = 5000"
+    row_1_k1 "q15_sphere_row_1" 1.0 1.0, "1" "exponent = 1" 1024 2048 LIGHT
+    row_20_k1 "q15_sphere_row_20" 20.0 1.0, "1" "exponent = 20" 512 512 LIGHT
+    row_20_behind "q15_sphere_row_20_behind" 20.0 1.0, "1"
+        "exponent = 20, light 140° from the viewer" 512 512 BEHIND
+    row_20_kc "q15_sphere_row_20_kc" 20.0 lobe_peak(20.0), "c" "exponent = 20" 512 512 LIGHT
+    row_500_k1 "q15_sphere_row_500" 500.0 1.0, "1" "exponent = 500" 512 512 LIGHT
+    row_500_kc "q15_sphere_row_500_kc" 500.0 lobe_peak(500.0), "c" "exponent = 500" 512 512 LIGHT
+    row_5000_k1 "q15_sphere_row_5000" 5000.0 1.0, "1" "exponent = 5000" 512 512 LIGHT
 }

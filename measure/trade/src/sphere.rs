@@ -2,7 +2,7 @@
 
 use microbrdf_kernels::sphere::{LIGHT, TINT};
 use microbrdf_kernels::sphere_row::{HIGH, STEP, WIDE};
-use microbrdf_kernels::{Input, Kernel};
+use microbrdf_kernels::{Call, Input, Kernel};
 use microbrdf_reference::models::{Energy, MetallicPhong};
 use microbrdf_reference::{Brdf, Direction, encode_srgb};
 use microbrdf_tests::domain::Pair;
@@ -66,7 +66,7 @@ pub fn measure(kernel: &Kernel) -> Errors {
     let model = MetallicPhong::new(kernel.width, Energy::Published).expect("a kernel's exponent");
     let mut tally = Tally::new("lobe");
     let mut grade = |code: u32, point: [f64; 2]| {
-        let [l, v] = frame(normal(point).expect("a point within the outline"));
+        let [l, v] = frame(kernel, normal(point).expect("a point within the outline"));
         let direction = |[x, y, z]: [f64; 3]| Direction::new(x, y, z);
         let rho = kernel.k * model.rho(&direction(l), &direction(v))[0];
         let levels = [code >> 11, (code >> 5) & 63, code & 31];
@@ -110,7 +110,7 @@ fn in_tile([x, y]: [f64; 2], index: usize) -> [f64; 2] {
 }
 
 fn place(kernel: &Kernel, normal: [f64; 3]) -> Place {
-    let [l, v] = frame(normal);
+    let [l, v] = frame(kernel, normal);
     let square = (l[0] + v[0]).powi(2) + (l[1] + v[1]).powi(2) + (l[2] - v[2]).powi(2);
     if l[2] <= 0.0 {
         Place::Unlit
@@ -133,8 +133,12 @@ fn position(input: &Input) -> [f64; 2] {
     [point, point >> 16].map(|bits| f64::from(bits as u16 as i16) / f64::from(1 << 14))
 }
 
-/// L and V about a normal.
-fn frame(normal: [f64; 3]) -> Pair {
-    let light = LIGHT.map(|c| f64::from(c) / f64::from(1 << 14));
+/// L and V of a kernel about a normal.
+fn frame(kernel: &Kernel, normal: [f64; 3]) -> Pair {
+    let light = match kernel.call {
+        Call::Rows(_, light) => light,
+        _ => LIGHT,
+    };
+    let light = light.map(|c| f64::from(c) / f64::from(1 << 14));
     in_frame(normal, light, [0.0, 0.0, 1.0])
 }

@@ -58,10 +58,24 @@ pub const SCENE_BUGS: &[Bug] = &[
         &["highlight"],
     ),
     bug(
-        "parts of a step at a sphere's edge are whole ones",
-        "core/src/shade/highlight/lit_sphere.rs",
-        "self.edge.get((square >> (STEP_BITS - FINE_BITS)) as usize)",
-        "self.edge.get((square >> STEP_BITS) as usize)",
+        "a sphere's edge is no wider where light ends steeply",
+        "core/src/shade/highlight/edge.rs",
+        "greater(product(z, z), ",
+        "greater(0, ",
+        &["highlight"],
+    ),
+    bug(
+        "steps of a ratio are not finer where it is small",
+        "core/src/shade/highlight/edge.rs",
+        "            x = colours.halved(x);\n",
+        "",
+        &["highlight"],
+    ),
+    bug(
+        "a light from behind has no more pixels at the edge",
+        "core/src/shade/highlight/edge.rs",
+        "if level > BRIGHT {",
+        "if level > BRIGHT + 64 {",
         &["highlight"],
     ),
     bug(
@@ -74,15 +88,15 @@ pub const SCENE_BUGS: &[Bug] = &[
     bug(
         "a highlight's steps of z² end before the lobe does",
         "core/src/shade/highlight/lit_sphere.rs",
-        "while above >> step_bits >= STEPS as i64 + FINE as i64",
-        "while above >> step_bits >= 2 * STEPS as i64 + FINE as i64",
+        "if above >> step_bits < STEPS as i64",
+        "if above >> step_bits < 2 * STEPS as i64",
         &["highlight"],
     ),
     bug(
         "from the end of a highlight's row z² goes forwards",
         "core/src/shade/highlight/walk.rs",
-        "self.square = self.square.wrapping_sub(self.change);",
-        "self.square = self.square.wrapping_add(self.change);",
+        "self.square = self.square.wrapping_sub(step.square);",
+        "self.square = self.square.wrapping_add(step.square);",
         &["highlight"],
     ),
     bug(

@@ -1,10 +1,10 @@
 //! Pixels where N·V is small: no step of z² is small enough for its root.
 
+use super::angle::Angle;
 use super::lit_sphere::COEFFICIENT_BITS;
 use super::lobe_colours::{BLACK, LESS_BITS, LobeColours, SUM_BITS, in_ratios};
 use super::walk::Offsets;
-use super::angle::Angle;
-use super::wide::{UNIT, UNIT_BITS, product, quotient};
+use super::wide::{UNIT, UNIT_BITS, clamp, product, quotient};
 use super::word::{FAR, WAY_BITS};
 use crate::shade::root::Root;
 
@@ -13,40 +13,37 @@ const RATIO_BITS: u32 = 31;
 const ONE: u64 = 1 << RATIO_BITS;
 /// Fraction bits of `slope`.
 const SLOPE_BITS: u32 = 29;
-/// One that a part of a ratio has: those of the slope's product with 1/z, 29, and d's.
+/// Fraction bits of the part that a ratio lacks: those of `slope` over z, and of d.
 const PART_BITS: u32 = SLOPE_BITS - 1 + COEFFICIENT_BITS;
 
-/// What such pixels take from the light, for a root by Newton's iteration where others
-/// look up a step: z, d and the ratio of the cosines keep their digits at any z.
+/// What such pixels take from the light, by a root of z² where others look up a step of
+/// it: z, d and the ratio of the cosines keep their digits however small z is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Edge {
     /// Whether the lobe reaches such pixels.
     lit: bool,
     /// sinθ over the cutoff's mantissa, 28 fraction bits.
     tilt: u32,
-    /// The product of both, doubled, 29 fraction bits.
+    /// 2sinθ times that mantissa.
     slope: u32,
+    /// How much smaller than its mantissa the cutoff is, in halvings.
     narrowness: u32,
-    /// What has been taken from d, in its unit.
+    /// What has been taken from d for the middle of the lobe, in d's unit.
     height: i64,
 }
 
 impl Edge {
-    /// For sinθ and the cutoff with 30 and 32 fraction bits, of which `tilt` is the
-    /// quotient less `narrowness` halvings.
-    pub(super) const fn new(
-        lit: bool,
-        sine: i64,
-        radius: u32,
-        tilt: i64,
-        middle: i64,
-    ) -> Self {
+    /// For sinθ with 30 fraction bits, the cutoff with 32, what the first is over the
+    /// other's mantissa with 28, and z in the middle of the lobe with 30.
+    pub(super) const fn new(lit: bool, sine: i64, radius: u32, tilt: i64, middle: i64) -> Self {
         let narrowness = radius.leading_zeros();
+        let mantissa = (radius as i64) << narrowness;
+        // Twice the product of 30 and 32 fraction bits.
+        let slope = (sine * mantissa) >> (UNIT_BITS + 32 - 1 - SLOPE_BITS);
         Self {
             lit,
             tilt: tilt as u32,
-            slope: ((sine * ((radius as i64) << narrowness)) >> (UNIT_BITS + 32 - SLOPE_BITS - 1))
-                as u32,
+            slope: slope as u32,
             narrowness,
             height: product(tilt, middle) << narrowness,
         }
@@ -65,9 +62,10 @@ impl Edge {
         }
         let square = square.min(UNIT - 1) as u64;
         let (root, inverse, halvings) = Root::of(square << (64 - UNIT_BITS)).parts();
-        let product = u64::from(self.tilt) * u64::from(root);
-        let lowered = product >> (32 + halvings).saturating_sub(self.narrowness);
-        let height = self.height - lowered as i64;
+        // 28 and 32 fraction bits.
+        let lowered = u64::from(self.tilt).wrapping_mul(u64::from(root))
+            >> (32 + halvings).saturating_sub(self.narrowness);
+        let height = self.height.wrapping_sub(lowered as i64);
         if height.unsigned_abs() > FAR as u64 {
             return BLACK;
         }
@@ -80,7 +78,7 @@ impl Edge {
             return colours.at(x);
         }
         // What the ratio is less than 1.
-        let steep = (u64::from(self.slope) * u64::from(inverse)) >> 32;
+        let steep = u64::from(self.slope).wrapping_mul(u64::from(inverse)) >> 32;
         let less = steep.wrapping_mul(u64::from(d.unsigned_abs()))
             >> (PART_BITS - RATIO_BITS + self.narrowness).saturating_sub(halvings);
         let Some(ratio @ 1..) = ONE.checked_sub(less) else {
@@ -100,45 +98,53 @@ impl Edge {
     }
 }
 
-/// z² up to which pixels are the edge's, if steps of z² are as wide as `1 << step_bits`,
-/// 30 fraction bits: beyond, half a step is a part of a level at most.
+/// z² up to which pixels are the edge's if a step of z² is `1 << step_bits`, both with
+/// 30 fraction bits: beyond, half a step is less than a level.
 pub(super) const fn end<const COLOURS: usize>(
     colours: &LobeColours<COLOURS>,
     angle: &Angle,
     step_bits: u32,
 ) -> i64 {
-    /// Steps, whatever is seen there.
-    const LEAST: i64 = 16;
     let (sine, cosine) = (angle.sine, angle.cosine);
-    let radius = (colours.radius as i64) >> 2;
+    let radius = (colours.radius as i64) >> (32 - UNIT_BITS);
 
-    // Of d half a step is sinθ · step/4z. Light that is white well beyond the middle
-    // shows more of it where it no longer is.
+    // Half a step is sinθ · step/4z of d: in the middle of the lobe, where z is cosθ, too
+    // much for all of it? Light that is white well beyond the middle shows more.
     let shift = quotient(sine << step_bits, product(cosine, radius) << 2);
-    let white = colours.level_at(1, 4) == 63;
+    let white = colours.level_at(1, 4) == GREENS;
     if shift > (if white { 3 } else { 8 }) * (UNIT >> 11) {
         return UNIT;
     }
-    // At the lobe's end x is 2d times as wrong.
-    let z = quotient((2 * sine) * colours.steepness as i64, 3 * radius) << step_bits;
-    let z = if z < UNIT { z } else { UNIT };
-    let mut end = product(z, z);
-    if end < LEAST << step_bits {
-        end = LEAST << step_bits;
-    }
-    // Where the ratio of the cosines goes to 0 it is −L·V · step/4z² wrong, and 1 − R·V
-    // is 2cos²θ: if light is seen there, the source is behind.
-    let behind = UNIT - 2 * product(cosine, cosine);
+    // At the lobe's end x is twice as wrong as d: three quarters of a level.
+    let steepness = colours.steepness as i64;
+    let z = clamp(
+        quotient(2 * sine * steepness, 3 * radius) << step_bits,
+        0,
+        UNIT,
+    );
+    // Where the ratio of the cosines goes to 0 it is −L·V · step/4z² wrong, half a level,
+    // and 1 − R·V is 2cos²θ: if that is seen, the light is behind.
     let level = colours.level_at(cosine, radius);
     if level > BRIGHT {
         return UNIT;
     }
-    let ratio = quotient(product(DARKEST * level * level, behind), 63 * 63) << step_bits;
-    if ratio > end { ratio } else { end }
+    let behind = UNIT - 2 * product(cosine, cosine);
+    let steps = quotient(
+        product(DARKEST / 2 * level * level, behind),
+        GREENS * GREENS,
+    );
+    greater(product(z, z), greater(steps, LEAST) << step_bits)
 }
 
-/// Half of the levels of green that the whole of light would be at the slope of its
-/// least.
-const DARKEST: i64 = 407;
-/// A level for which a step of a ratio is some levels where it goes to 0.
+/// Steps of z², whatever is seen there.
+const LEAST: i64 = 4;
+/// Levels of green.
+const GREENS: i64 = 63;
+/// Those that the whole of light would be at the slope of the darkest.
+const DARKEST: i64 = 814;
+/// A level beside the ratio's 0 from which on no step is fine enough.
 const BRIGHT: i64 = 34;
+
+const fn greater(a: i64, b: i64) -> i64 {
+    if a > b { a } else { b }
+}

@@ -14,13 +14,13 @@ pub(super) const COEFFICIENT_BITS: u32 = 28;
 /// How far from the ends of a lobe pixels are still taken for reached, in the
 /// unit of the coefficients.
 const SLACK: i32 = (super::reach::SLACK >> (UNIT_BITS - COEFFICIENT_BITS)) as i32;
-/// cosθ below which the highlight is a hair at the sphere's edge.
+/// cosθ below which the highlight is a hair at the sphere's edge that no pixel shows.
 const DARK: i64 = UNIT >> 12;
 /// Fraction bits of a step of z².
 pub(super) const STEP_BITS: u32 = 18;
 
 /// A unit sphere, seen along −z from afar, under one distant light: what
-/// [`Self::rows`] needs of the light and of the lobe's width, 4 · `STEPS` + 548
+/// [`Self::rows`] needs of the light and of the lobe's width, 4 · `STEPS` + 64
 /// bytes; `STEPS` is a power of two.
 ///
 /// With θ half of the angle between L and V, and the normal's components d
@@ -30,16 +30,17 @@ pub(super) const STEP_BITS: u32 = 18;
 /// For a light that moves it is made anew for each picture: what that takes is
 /// `q15_lit_sphere` in `docs/trade.md`. For one that does not it is a constant.
 ///
-/// Codes are at most one level off: with 512 steps and 512 colours for n from
-/// 1.5 on, to 1e8 at K = 1 and to 500 at the lobe's peak, K = (n + 2)/2π, under
-/// lights to 115° from the viewer, with 1024 of both for n from 1.1 on; with 256 of
-/// both at K = 1 from n = 20 to 1e5. For n = 1 they are with 2048 of both, under lights
-/// to 86°; beyond, one pixel of millions is three off, as one is two off at the peak of
-/// n = 500. Under lights from farther
-/// behind than 115° they are up to seven levels off, beyond 178° nothing is lit, and
-/// pixels whose centre is within 2.5e-4 radii of the sphere's edge have no bound.
+/// Codes are at most one level off, under a light in any direction, with 512 steps and
+/// 512 colours for n from 1.5 on, to 1e8 at K = 1 and to 500 at the lobe's peak,
+/// K = (n + 2)/2π; with 1024 of both for n from 1 on; with 256 of both at K = 1 from
+/// n = 20 to 1e5. Pixels whose centre is within 1e-5 radii of the sphere's edge have no
+/// bound, and none is lit by a light within 0.03° of straight behind.
 /// Tested in `tests/tests/highlight.rs`, in pictures of up to 3000 by 3000 pixels, and
 /// in parts of spheres whose radius is up to 8192 pixels.
+///
+/// Where N·V is small pixels take a root, and several times as long: with 512 steps
+/// where (N·V)² is below 3 % or so for a light in front, everywhere for one from behind
+/// whose highlight is along the edge. Twice the steps are half of that.
 ///
 /// ```
 /// use microbrdf::arithmetic::Q31;

@@ -2,11 +2,11 @@
 
 use fixed::types::U32F32;
 
+use super::wide::quotient;
 use crate::arithmetic::exponent;
 use crate::colour::{Rgb, greatest};
 use crate::error::ParameterError;
 use crate::shade::Linear;
-use super::wide::quotient;
 use crate::table::integer::{ONE, divide, exp_neg, neg_ln_one_minus, power_of_one_minus, round_to};
 
 /// Fraction bits of x over its cutoff.
@@ -36,8 +36,8 @@ const LN_5: u128 = 0x1_9C04_1F7E_D8D3_36AF;
 ///
 /// Where cosΘL is less than cosΘV the ratio of the two dims the lobe as much as
 /// a greater x would, by a second table: x with a ratio r is 1 − (1 − x)·r^(1/n).
-/// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 2052 bytes, the same in
-/// flash and filled at start-up.
+/// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 2056 bytes,
+/// the same in flash and filled at start-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LobeColours<const CELLS: usize = 256> {
     colours: [u16; CELLS],
@@ -45,7 +45,7 @@ pub struct LobeColours<const CELLS: usize = 256> {
     shifts: [Shift; RATIOS],
     /// √(cutoff/2), 32 fraction bits.
     pub(super) radius: u32,
-    /// Levels of green over a cutoff, at the slope of the lobe's darkest.
+    /// Levels of green in a cutoff, at the slope of the lobe's darkest.
     pub(super) steepness: u32,
 }
 
@@ -175,8 +175,8 @@ const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
     }
 }
 
-/// How many levels of green the code falls by over a cutoff at most, per unit of what
-/// it is from one to the next: of K · (1 − x)ⁿ the slope is n/(1 − x) of it, and sRGB is
+/// By how many levels of green a cutoff of x would change the code if all of it were as
+/// steep as the darkest: K · (1 − x)ⁿ has the slope n/(1 − x) of itself, and sRGB is
 /// straight up to five times what is seen last, half a level.
 const fn steepness(n: u64, cutoff: u64) -> u32 {
     const MOST: u128 = 1 << 20;

@@ -1,5 +1,7 @@
 //! Rows of a lit sphere's pixels.
 
+use core::slice::IterMut;
+
 use fixed::types::I2F30;
 
 use super::lit_sphere::{COEFFICIENT_BITS, LitSphere, STEP_BITS};
@@ -163,26 +165,15 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, before: u32, pixels: &mut [u16]) {
-        let (mut first, mut step) = self.place.beyond(self.across, before);
+        let last = before.wrapping_add(pixels.len() as u32).wrapping_sub(1);
+        let mut walk = self.walk(before);
         let mut rest = pixels.iter_mut();
-        while first.square < NEAR {
-            let Some(pixel) = rest.next() else { return };
-            *pixel = self.edge(first);
-            first.forwards(&mut step);
+        if walk.square < upper(NEAR) {
+            let edge = self.edge_at_first(before, &mut rest);
+            walk = self.walk(before.wrapping_add(edge));
         }
-        let walk = Walk::new(first, step);
-        let Some(others) = rest.len().checked_sub(1) else {
-            return;
-        };
-        if walk.after(others as i32).square < upper(NEAR) {
-            let (mut last, mut step) = first.beyond(step, others as u32);
-            while last.square < NEAR {
-                let Some(pixel) = rest.next_back() else {
-                    return;
-                };
-                *pixel = self.edge(last);
-                last.backwards(&mut step);
-            }
+        if walk.after(rest.len() as i32 - 1).square < upper(NEAR) {
+            self.edge_at_last(last, &mut rest);
         }
         if cfg!(long_multiply) {
             self.in_one_run(walk, rest.into_slice());
@@ -191,9 +182,42 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         }
     }
 
-    /// A pixel at the sphere's edge.
-    // Not inlined twice.
+    /// What is known where there are so many pixels before.
+    #[inline(always)]
+    fn walk(&self, before: u32) -> Walk {
+        let (place, step) = self.place.beyond(self.across, before);
+        Walk::new(place, step)
+    }
+
+    /// The pixels that are the edge's, from the first on; how many.
+    #[cold]
     #[inline(never)]
+    fn edge_at_first(&self, before: u32, pixels: &mut IterMut<'_, u16>) -> u32 {
+        let (mut place, mut step) = self.place.beyond(self.across, before);
+        let mut count = 0;
+        while place.square < NEAR {
+            let Some(pixel) = pixels.next() else { break };
+            *pixel = self.edge(place);
+            place.forwards(&mut step);
+            count += 1;
+        }
+        count
+    }
+
+    /// The same from the last on.
+    #[cold]
+    #[inline(never)]
+    fn edge_at_last(&self, before: u32, pixels: &mut IterMut<'_, u16>) {
+        let (mut place, mut step) = self.place.beyond(self.across, before);
+        while place.square < NEAR {
+            let Some(pixel) = pixels.next_back() else {
+                break;
+            };
+            *pixel = self.edge(place);
+            place.backwards(&mut step);
+        }
+    }
+
     fn edge(&self, place: Place) -> u16 {
         let above = place.square >> (SQUARE_BITS - self.lit.step_bits);
         let square = i64::from(self.lit.lowest) + above;
@@ -288,8 +312,7 @@ mod tests {
             let start = [I2F30::ONE / -2, I2F30::ONE / 8];
             let rows = lit.rows(&colours, start, [I2F30::ONE / 128; 2]);
             for before in 0..80 {
-                let (place, step) = rows.place.beyond(rows.across, before);
-                let walk = Walk::new(place, step);
+                let walk = rows.walk(before);
                 let (mut once, mut twice) = ([1; CHUNK as usize], [2; CHUNK as usize]);
                 let count = 3 * before as usize % CHUNK as usize;
                 rows.in_one_run(walk, &mut once[..count]);
