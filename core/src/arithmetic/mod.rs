@@ -93,6 +93,12 @@ pub trait Arithmetic: Copy + Debug + PartialEq + 'static {
     ) -> Self::Offset;
     /// Sum of squares.
     fn square<const N: usize>(offsets: [Self::Offset; N]) -> Self::Separation;
+    /// The same of what [`Self::height`] and [`Self::tangential`] give, which may have
+    /// more digits.
+    #[inline]
+    fn square_of_rounded<const N: usize>(offsets: [Self::Offset; N]) -> Self::Separation {
+        Self::square(offsets)
+    }
     /// The versine of two directions whose difference has that square.
     fn half(square: Self::Separation) -> Self::Versine;
 

@@ -13,6 +13,8 @@ use crate::table::{
 
 /// Fraction bits of a component.
 const COMPONENT_BITS: u32 = 14;
+/// Fraction bits of an offset that is rounded.
+const FINE_BITS: u32 = 18;
 /// Fraction bits of a cosine.
 const COSINE_BITS: u32 = 30;
 
@@ -146,9 +148,10 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         i32::from(a.to_bits()) - i32::from(b.to_bits())
     }
 
+    /// 18 fraction bits, as of [`Self::tangential`].
     #[inline]
     fn height(a: i32, b: i32) -> i32 {
-        const DROP: u32 = COSINE_BITS - COMPONENT_BITS;
+        const DROP: u32 = COSINE_BITS - FINE_BITS;
         // Of each one's own steps: symmetric in both, to the bit.
         (a >> DROP) - (b >> DROP)
     }
@@ -157,15 +160,30 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     fn tangential(n: I2F14, l: I2F14, v: I2F14, cosines: (i32, i32)) -> i32 {
         // Fraction bits of the sum that its product with a component can take.
         const HEIGHT: u32 = 15;
+        const DROP: u32 = HEIGHT + COMPONENT_BITS - FINE_BITS;
         let height = (cosines.0 >> (COSINE_BITS - HEIGHT)) + (cosines.1 >> (COSINE_BITS - HEIGHT));
         let along = height.wrapping_mul(i32::from(n.to_bits()));
-        Self::sum(l, v) - (along.wrapping_add(1 << (HEIGHT - 1)) >> HEIGHT)
+        (Self::sum(l, v) << (FINE_BITS - COMPONENT_BITS))
+            - (along.wrapping_add(1 << (DROP - 1)) >> DROP)
     }
 
     #[inline]
     fn square<const N: usize>(offsets: [i32; N]) -> u32 {
         offsets.iter().fold(0, |sum: u32, offset| {
             sum.wrapping_add(offset.wrapping_mul(*offset) as u32)
+        })
+    }
+
+    /// Of 18 fraction bits.
+    #[inline]
+    fn square_of_rounded<const N: usize>(offsets: [i32; N]) -> u32 {
+        const MORE: u32 = FINE_BITS - COMPONENT_BITS;
+        offsets.iter().fold(0, |sum: u32, offset| {
+            let offset = offset.unsigned_abs();
+            let (upper, lower) = (offset >> MORE, offset & ((1 << MORE) - 1));
+            let square = upper.wrapping_mul(upper);
+            sum.wrapping_add(square)
+                .wrapping_add(upper.wrapping_mul(lower) >> (MORE - 1))
         })
     }
 

@@ -64,7 +64,7 @@ impl<A: Arithmetic> Geometry<A> for World<A> {
     #[inline]
     fn versine(&self) -> A::Versine {
         let [x, y, z] = self.projected_sum();
-        A::half(A::square([
+        A::half(A::square_of_rounded([
             x,
             y,
             z,
@@ -79,6 +79,6 @@ impl<A: Arithmetic> Geometry<A> for World<A> {
 
     #[inline]
     fn separation(&self) -> A::Separation {
-        A::square(self.projected_sum())
+        A::square_of_rounded(self.projected_sum())
     }
 }
