@@ -126,7 +126,7 @@ pub fn section() -> String {
          below 2e4 (n to 1e5) at K = c. A cosine and a quotient of two keep the digits that they have, so that \
          the error does not grow towards grazing. In world space entries of a peak below 100 (n to 600) and \
          without an edge are shown: the edge of a patch or of n = 0 lies where rounding puts it. `World` \
-         takes L + V's part along N away by products of 14 bits, `ShortWorld` by sums of products. \
+         takes L + V's part along N away to 18 bits, `ShortWorld` by sums of products that are exact. \
          Computed anew by `tests/tests/documents.rs`, which fails when a figure is out of date.\n\n\
          | larger cosine from | shading frame, K = 1 | K = c | `World`, K = 1 | K = c | `ShortWorld`, K = 1 | K = c |\n\
          | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",

@@ -13,7 +13,7 @@ use crate::table::{
 
 /// Fraction bits of a component.
 const COMPONENT_BITS: u32 = 14;
-/// Fraction bits of an offset that is rounded.
+/// Fraction bits of an offset in world space, which is rounded.
 const FINE_BITS: u32 = 18;
 /// Fraction bits of a cosine.
 const COSINE_BITS: u32 = 30;
@@ -148,7 +148,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         i32::from(a.to_bits()) - i32::from(b.to_bits())
     }
 
-    /// 18 fraction bits, as of [`Self::tangential`].
+    /// 18 fraction bits.
     #[inline]
     fn height(a: i32, b: i32) -> i32 {
         const DROP: u32 = COSINE_BITS - FINE_BITS;
@@ -156,6 +156,7 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         (a >> DROP) - (b >> DROP)
     }
 
+    /// 18 fraction bits.
     #[inline]
     fn tangential(n: I2F14, l: I2F14, v: I2F14, cosines: (i32, i32)) -> i32 {
         // Fraction bits of the sum that its product with a component can take.
@@ -174,11 +175,12 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         })
     }
 
-    /// Of 18 fraction bits.
+    /// Of 18 fraction bits: within a step of 2⁻²⁸ for each offset.
     #[inline]
     fn square_of_rounded<const N: usize>(offsets: [i32; N]) -> u32 {
         const MORE: u32 = FINE_BITS - COMPONENT_BITS;
         offsets.iter().fold(0, |sum: u32, offset| {
+            // (u + l)² without l², in products of 32 bits.
             let offset = offset.unsigned_abs();
             let (upper, lower) = (offset >> MORE, offset & ((1 << MORE) - 1));
             let square = upper.wrapping_mul(upper);

@@ -46,7 +46,7 @@ pub struct Called {
 /// FPU, a call in single precision takes ten thousand instructions.
 #[must_use]
 pub fn count(kernel: &Kernel, count: usize) -> usize {
-    if kernel.pixels() > 1 || kernel.model == "sphere light" {
+    if kernel.model == "sphere light" {
         count / 4
     } else if kernel.arithmetic.starts_with('q') || kernel.arithmetic == "integer" {
         count

@@ -16,13 +16,11 @@ pub(super) const LESS_BITS: u32 = 20;
 /// Steps of the ratio of two cosines.
 const RATIO_BITS: u32 = 9;
 const RATIOS: usize = 1 << RATIO_BITS;
-/// Fraction bits of a shift over the cutoff.
-const SHIFT_BITS: u32 = 31;
-/// Fraction bits of a shift by itself, and where a word has it.
-const OWN_BITS: u32 = 12;
-const OWN: u32 = (1 << OWN_BITS) - 1;
-/// Fraction bits of x that are multiplied with it.
-const X_BITS: u32 = SUM_BITS - OWN_BITS;
+/// Bits of each half of a shift's word.
+const HALF_BITS: u32 = 16;
+/// Fraction bits of a factor of x, and those of x that it does not see.
+const RHO_BITS: u32 = 12;
+const X_DROP: u32 = RHO_BITS;
 /// The code of no light.
 pub(super) const BLACK: u16 = 0;
 /// Light, 64 fraction bits, that no channel of RGB565 shows: half of the
@@ -116,7 +114,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
     pub(super) fn halved(&self, x: i32) -> i32 {
         // Its middle is a half.
         const HALF: usize = RATIOS / 2 - 1;
-        self.shifts[HALF].moved(x)
+        self.shifts[HALF].moved_exactly(x)
     }
 
     /// The level of green, or what the other channels' are worth in it, where x is
@@ -203,15 +201,14 @@ const fn light(gain: u64, share: u128) -> u32 {
     }
 }
 
-/// How a ratio of the cosines moves x: 1 − ρ, ρ = ratio^(1/n), over the cutoff
-/// with 31 fraction bits, of which the lowest 9 are those of 1 − ρ itself. All is
-/// doubled: from the middle of a word two shifts take these, without a mask.
+/// How a ratio of the cosines moves x: with ρ = ratio^(1/n), in the upper half of a word
+/// 1 − ρ over the cutoff with 16 fraction bits, in the lower half ρ with 12.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Shift(u32);
 
 impl Shift {
     /// Beyond any x.
-    const BEYOND: Self = Self(!OWN << 1);
+    const BEYOND: Self = Self(u32::MAX << HALF_BITS);
 
     /// For the middle of a step of the ratio, from 1 down.
     const fn new(step: u64, n: u64, cutoff: u64) -> Self {
@@ -220,27 +217,41 @@ impl Shift {
             neg_ln_one_minus((2 * step + 1) * HALF_STEP) << 32,
             n as u128,
         );
-        let moved = ONE - exp_neg(y);
-        let own = round_to(moved, OWN_BITS);
-        let shift = divide(moved << SHIFT_BITS, cutoff as u128);
+        let rho = exp_neg(y);
+        let shift = (divide((ONE - rho) << (HALF_BITS + 1), cutoff as u128) + 1) >> 1;
         // A cutoff is not told from more.
-        let shift = if shift < 1 << SHIFT_BITS {
+        let shift = if shift < 1 << HALF_BITS {
             shift as u32
         } else {
-            u32::MAX >> 1
+            u32::MAX >> HALF_BITS
         };
-        Self(((shift & !OWN) | if own < OWN { own } else { OWN }) << 1)
+        Self(shift << HALF_BITS | round_to(rho, RHO_BITS))
     }
 
     /// The x that is as dim as this one with the ratio.
     #[inline(always)]
     pub(super) fn moved(self, x: i32) -> i32 {
-        // 1 − (1 − x)·ρ: x + (1 − ρ) − x(1 − ρ), at least 1 where x is. A word's last
-        // bits, which are not the sum's, add 3 · 2⁻²⁴.
-        let own = (self.0 >> 1) & OWN;
-        let taken = (x as u32 >> (SUM_BITS - X_BITS)).wrapping_mul(own);
-        let moved = (x as u32).wrapping_add(self.0 >> (SHIFT_BITS + 1 - SUM_BITS));
-        moved.wrapping_sub(taken) as i32
+        // 1 − (1 − x)·ρ, of x without its last bits.
+        let kept = (x as u32 >> X_DROP).wrapping_mul(self.rho());
+        kept.wrapping_add(self.shift()) as i32
+    }
+
+    /// As [`Self::moved`] for an x below the cutoff, of all of its bits but four.
+    pub(super) fn moved_exactly(self, x: i32) -> i32 {
+        const LOST: u32 = 4;
+        let kept = (x as u32 >> LOST).wrapping_mul(self.rho()) >> (X_DROP - LOST);
+        kept.wrapping_add(self.shift()) as i32
+    }
+
+    #[inline(always)]
+    fn rho(self) -> u32 {
+        u32::from(self.0 as u16)
+    }
+
+    /// The lower half, which is none of it, adds 2⁻²⁰ at most.
+    #[inline(always)]
+    fn shift(self) -> u32 {
+        self.0 >> (2 * HALF_BITS - SUM_BITS)
     }
 }
 
