@@ -175,12 +175,12 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
         })
     }
 
-    /// Of 18 fraction bits: within a step of 2⁻²⁸ for each offset.
+    /// Of 18 fraction bits: less than two steps of 2⁻²⁸ too small for each offset.
     #[inline]
     fn square_of_rounded<const N: usize>(offsets: [i32; N]) -> u32 {
         const MORE: u32 = FINE_BITS - COMPONENT_BITS;
         offsets.iter().fold(0, |sum: u32, offset| {
-            // (u + l)² without l², in products of 32 bits.
+            // (u + l)² without l²: products of 32 bits.
             let offset = offset.unsigned_abs();
             let (upper, lower) = (offset >> MORE, offset & ((1 << MORE) - 1));
             let square = upper.wrapping_mul(upper);
@@ -345,5 +345,63 @@ impl<const KNOTS: usize> Arithmetic for Q15<KNOTS> {
     #[inline]
     fn linear(light: Rgb<u32>) -> Linear {
         Linear::from_raw(light.r, light.g, light.b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fixed::types::I2F14;
+
+    use super::Q15;
+    use crate::arithmetic::Arithmetic as _;
+
+    type A = Q15;
+
+    #[test]
+    fn squares_of_18_bits_are_within_two_steps_each() {
+        let ends = [
+            0,
+            1,
+            15,
+            16,
+            17,
+            255,
+            12_345,
+            99_999,
+            (1 << 19) - 1,
+            1 << 19,
+        ];
+        for a in ends {
+            for b in ends {
+                let exact = |n: [i64; 2]| (n[0] * n[0] + n[1] * n[1]) as f64 / 256.0;
+                let found = f64::from(A::square_of_rounded([a, -b]));
+                let off = found - exact([a.into(), b.into()]);
+                assert!((-4.0..=0.0).contains(&off), "{a}, {b}: {off}");
+                assert_eq!(A::square_of_rounded([-a, b]), A::square_of_rounded([a, -b]));
+            }
+        }
+    }
+
+    /// L + V without its part along N, and N·L − N·V, to half a step of 18 bits and to
+    /// what cosines of 15 make of it.
+    #[test]
+    fn what_is_left_off_the_normal_has_18_bits() {
+        for n in [-16_384i32, -9_999, 1, 7_777, 16_384] {
+            for cosines in [(1 << 30, 1 << 29), (12_345_678, 987_654_321), (0, 3 << 15)] {
+                let component = |bits: i32| I2F14::from_bits(bits as i16);
+                let found = A::tangential(component(n), component(5_000), component(77), cosines);
+                let heights = (f64::from(cosines.0) + f64::from(cosines.1)) / f64::from(1 << 30);
+                let exact = 5_077.0 * 16.0 - 16.0 * f64::from(n) * heights;
+                let cut = 2.0 * 16.0 * f64::from(n).abs() / f64::from(1 << 15);
+                assert!(
+                    (f64::from(found) - exact).abs() <= 0.5 + cut,
+                    "{n}, {cosines:?}"
+                );
+                let (a, b) = cosines;
+                let height = f64::from(a - b) / f64::from(1 << 12);
+                assert!((f64::from(A::height(a, b)) - height).abs() <= 1.0);
+                assert_eq!(A::height(a, b), -A::height(b, a));
+            }
+        }
     }
 }

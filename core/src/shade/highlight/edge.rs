@@ -20,8 +20,6 @@ const PART_BITS: u32 = SLOPE_BITS - 1 + COEFFICIENT_BITS;
 /// it: z, d and the ratio of the cosines keep their digits however small z is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Edge {
-    /// Whether the lobe reaches such pixels.
-    lit: bool,
     /// sinθ over the cutoff's mantissa, 28 fraction bits.
     tilt: u32,
     /// 2sinθ times that mantissa.
@@ -35,13 +33,12 @@ pub(super) struct Edge {
 impl Edge {
     /// For sinθ with 30 fraction bits, the cutoff with 32, what the first is over the
     /// other's mantissa with 28, and z in the middle of the lobe with 30.
-    pub(super) const fn new(lit: bool, sine: i64, radius: u32, tilt: i64, middle: i64) -> Self {
+    pub(super) const fn new(sine: i64, radius: u32, tilt: i64, middle: i64) -> Self {
         let narrowness = radius.leading_zeros();
         let mantissa = (radius as i64) << narrowness;
         // Twice the product of 30 and 32 fraction bits.
         let slope = (sine * mantissa) >> (UNIT_BITS + 32 - 1 - SLOPE_BITS);
         Self {
-            lit,
             tilt: tilt as u32,
             slope: slope as u32,
             narrowness,
@@ -57,7 +54,7 @@ impl Edge {
         at: Offsets,
         square: i64,
     ) -> u16 {
-        if !self.lit || square <= 0 {
+        if square <= 0 {
             return BLACK;
         }
         let square = square.min(UNIT - 1) as u64;

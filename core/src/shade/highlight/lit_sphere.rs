@@ -4,7 +4,7 @@ use super::angle::Angle;
 use super::edge::{self, Edge};
 use super::lobe_colours::{LobeColours, in_ratios};
 use super::reach::Reach;
-use super::wide::{UNIT, UNIT_BITS, product, quotient, root};
+use super::wide::{UNIT, UNIT_BITS, clamp, product, quotient, root};
 use super::word::{OFFSET_BITS, SLOPE_BITS, WAY_BITS, Word};
 use crate::arithmetic::Q31;
 use crate::geometry::Direction;
@@ -89,6 +89,9 @@ pub struct LitSphere<const STEPS: usize = 256> {
     /// z² where `cells` begins, and the binary logarithm of its steps.
     pub(super) lowest: i32,
     pub(super) step_bits: u32,
+    /// z² in steps from there, 18 fraction bits, below which nothing is seen: of what is
+    /// beside the sphere, or of all where the lobe reaches no pixels of the edge.
+    pub(super) beside: i32,
     /// From where the lobe reaches along the azimuth, and how far.
     pub(super) along: [i32; 2],
     /// How far across it, to either side.
@@ -157,7 +160,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
         };
         Self {
             cells,
-            edge: Edge::new(lowest > least, sine, colours.radius, tilt, middle),
+            edge: Edge::new(sine, colours.radius, tilt, middle),
             azimuth: [
                 product(scaled, angle.azimuth[0]) as i32,
                 product(scaled, angle.azimuth[1]) as i32,
@@ -165,6 +168,12 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             height: product(tilt, middle) as i32,
             narrowness,
             lowest: lowest as i32,
+            beside: if lowest == least {
+                i32::MAX
+            } else {
+                // Of steps so small there is nothing beside the sphere within the reach.
+                -clamp((lowest << STEP_BITS) >> step_bits, 0, i32::MAX as i64) as i32
+            },
             step_bits,
             along: [from - SLACK, to - from + 2 * SLACK],
             across: ((1 << COEFFICIENT_BITS) >> narrowness) + SLACK,

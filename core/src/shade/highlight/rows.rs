@@ -135,6 +135,7 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         let count = pixels.len() as i32;
         // From both ends to where the lobe may begin: what is left is contiguous.
         let mut at = self.coarse;
+        self.coarse = at.plus(self.coarse_down);
         let mut last = at.plus_times(self.coarse_across, count - 1);
         let mut first = 0u32;
         let mut rest = pixels.iter_mut();
@@ -155,7 +156,6 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         }
 
         let down = &mut self.down;
-        self.coarse = self.coarse.plus(self.coarse_down);
         self.place.offsets = self.place.offsets.plus(down.offsets);
         self.place.square = self.place.square.wrapping_add(down.square);
         down.square = down.square.wrapping_add(down.bend);
@@ -165,15 +165,16 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
     // Inlined into the loop over chunks, it leaves more of its state on the stack.
     #[inline(never)]
     fn lobe(&self, before: u32, pixels: &mut [u16]) {
-        let last = before.wrapping_add(pixels.len() as u32).wrapping_sub(1);
+        let mut before = before;
         let mut walk = self.walk(before);
         let mut rest = pixels.iter_mut();
         if walk.square < upper(NEAR) {
-            let edge = self.edge_at_first(before, &mut rest);
-            walk = self.walk(before.wrapping_add(edge));
+            before = before.wrapping_add(self.edge_at_first(before, &mut rest));
+            walk = self.walk(before);
         }
-        if walk.after(rest.len() as i32 - 1).square < upper(NEAR) {
-            self.edge_at_last(last, &mut rest);
+        let others = rest.len() as i32 - 1;
+        if walk.after(others).square < upper(NEAR) {
+            self.edge_at_last(before.wrapping_add(others as u32), &mut rest);
         }
         if cfg!(long_multiply) {
             self.in_one_run(walk, rest.into_slice());
@@ -218,7 +219,11 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         }
     }
 
+    #[inline(always)]
     fn edge(&self, place: Place) -> u16 {
+        if upper(place.square) < self.lit.beside {
+            return BLACK;
+        }
         let above = place.square >> (SQUARE_BITS - self.lit.step_bits);
         let square = i64::from(self.lit.lowest) + above;
         self.lit.edge.pixel(self.colours, place.offsets, square)
@@ -251,12 +256,20 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
             bend: walk.bend << above,
             ..walk
         };
-        // Chunks, if of one, are counted: such a loop the compiler unrolls.
-        for chunk in pixels.chunks_exact_mut(1) {
-            for pixel in chunk {
+        // Were the change's own change known to be the same all along, the compiler would
+        // take multiples of it, for which there are no registers.
+        let steady = core::hint::black_box(0);
+        let mut fours = pixels.chunks_exact_mut(4);
+        for four in &mut fours {
+            for pixel in four {
                 *pixel = (height.square as u32 >> 16) as u16;
                 height.climb();
             }
+            height.bend = height.bend.wrapping_add(steady);
+        }
+        for pixel in fours.into_remainder() {
+            *pixel = (height.square as u32 >> 16) as u16;
+            height.climb();
         }
         self.second_run(walk.offsets, walk.step, pixels);
     }
