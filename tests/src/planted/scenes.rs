@@ -81,8 +81,8 @@ pub const SCENE_BUGS: &[Bug] = &[
     bug(
         "a ratio moves x as if the lobe had not fallen",
         "core/src/shade/highlight/lobe_colours.rs",
-        "moved.wrapping_sub(taken) as i32",
-        "{ let _ = taken; moved as i32 }",
+        "(x as u32 >> X_DROP).wrapping_mul(self.rho());",
+        "x as u32;",
         &["highlight"],
     ),
     bug(
