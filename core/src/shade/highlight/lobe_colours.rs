@@ -126,7 +126,7 @@ impl<const CELLS: usize> LobeColours<CELLS> {
         // Below 1, with 15 fraction bits; of its square, 30.
         let part = quotient(offset << 15, radius);
         let cell = (part * part * CELLS as i64) >> 30;
-        let code = self.colours[cell as usize] as i64;
+        let code = self.colours[cell as usize % CELLS] as i64;
         let [red, green, blue] = [code >> 10 & 63, code >> 5 & 63, code << 1 & 63];
         let most = if red > green { red } else { green };
         if most > blue { most } else { blue }
