@@ -47,6 +47,7 @@ impl Edge {
     }
 
     /// The code at offsets d and b, of which d lacks z's part, for z² with 30 fraction bits.
+    // From both ends of a row: once.
     #[inline(never)]
     pub(super) fn pixel<const COLOURS: usize>(
         &self,

@@ -38,9 +38,10 @@ pub(super) const STEP_BITS: u32 = 18;
 /// Tested in `tests/tests/highlight.rs`, in pictures of up to 3000 by 3000 pixels, and
 /// in parts of spheres whose radius is up to 8192 pixels.
 ///
-/// Where N·V is small pixels take a root, and several times as long: with 512 steps
-/// where (N·V)² is below 3 % or so for a light in front, everywhere for one from behind
-/// whose highlight is along the edge. Twice the steps are half of that.
+/// Where N·V is too small for a step of z² pixels take a root, and several times as
+/// long: a rim for a light in front, narrower with more steps, and all that is lit for one
+/// from behind whose highlight is along the edge. `q15_sphere_row_20_behind` in
+/// `docs/trade.md` is what that takes.
 ///
 /// ```
 /// use microbrdf::arithmetic::Q31;
@@ -149,7 +150,7 @@ impl<const STEPS: usize> LitSphere<STEPS> {
             cell += 1;
         }
         let scaled = product(cosine, mantissa);
-        // Nothing for a light behind.
+        // Nothing for a light straight behind.
         let [from, to] = if cosine < DARK {
             [1, 0]
         } else {
