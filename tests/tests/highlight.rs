@@ -17,6 +17,9 @@ const TINT: [f64; 3] = [1.0, 0.75, 1.0 / 3.0];
 /// to a bound: there z, and with it the picture, changes without one.
 const EDGE: f64 = 1e-5;
 
+/// The same for where a lobe of exponent 0 ends, in cosα.
+const LAST: f64 = 4e-3;
+
 fn number(value: f64) -> U32F32 {
     U32F32::from_num(value)
 }
@@ -58,10 +61,10 @@ impl Picture {
         }
     }
 
-    fn shade<const CELLS: usize, const STEPS: usize>(
+    fn shade<const CELLS: usize, const STEPS: usize, const FLAT: bool>(
         &self,
         lit: &LitSphere<STEPS>,
-        colours: &LobeColours<CELLS>,
+        colours: &LobeColours<CELLS, FLAT>,
     ) -> Vec<([f64; 2], u16)> {
         let mut rows = lit.rows(colours, self.start, [self.step, -self.step]);
         let mut found = Vec::new();
@@ -93,6 +96,12 @@ fn exact(model: &MetallicPhong, k: f64, l: [f64; 3], [x, y]: [f64; 2]) -> [f64; 
     [level(0, 31.0), level(1, 63.0), level(2, 31.0)]
 }
 
+/// cosα from a light to a point of the sphere.
+fn mirrored([lx, ly, lz]: [f64; 3], [x, y]: [f64; 2]) -> f64 {
+    let z = (1.0 - x * x - y * y).max(0.0).sqrt();
+    2.0 * (x * lx + y * ly + z * lz) * z - lz
+}
+
 /// The greatest error in levels over the pictures that are given for an angle and
 /// an azimuth of the light, and how many pixels were lit.
 fn worst_over<const CELLS: usize, const STEPS: usize>(
@@ -101,17 +110,29 @@ fn worst_over<const CELLS: usize, const STEPS: usize>(
     angles: &[f64],
     pictures: impl Fn(f64, f64) -> Vec<Picture>,
 ) -> (f64, usize) {
+    worst_of::<CELLS, STEPS, false>(&colours(n, k), n, k, angles, pictures)
+}
+
+/// The same for colours that are given.
+fn worst_of<const CELLS: usize, const STEPS: usize, const FLAT: bool>(
+    colours: &LobeColours<CELLS, FLAT>,
+    n: f64,
+    k: f64,
+    angles: &[f64],
+    pictures: impl Fn(f64, f64) -> Vec<Picture>,
+) -> (f64, usize) {
     let model = MetallicPhong::new(n, Energy::Published).expect("an exponent");
-    let colours = colours::<CELLS>(n, k);
     let (mut worst, mut lit) = (0.0f64, 0);
     for &angle in angles {
         let azimuth = 0.3 + 5.0 * angle;
         let given = light(angle, azimuth);
-        let sphere = LitSphere::<STEPS>::new(&colours, direction(given));
+        let sphere = LitSphere::<STEPS>::new(colours, direction(given));
         let l = given.map(I2F30::to_num::<f64>);
         for picture in pictures(angle, azimuth) {
-            for (point, code) in picture.shade(&sphere, &colours) {
-                if (point[0].hypot(point[1]) - 1.0).abs() < EDGE {
+            for (point, code) in picture.shade(&sphere, colours) {
+                if (point[0].hypot(point[1]) - 1.0).abs() < EDGE
+                    || FLAT && mirrored(l, point).abs() < LAST
+                {
                     continue;
                 }
                 lit += usize::from(code != 0);
@@ -132,22 +153,24 @@ fn levels_off(code: u16, levels: [f64; 3]) -> f64 {
 
 /// Over pictures of spheres of these sizes.
 fn worst<const CELLS: usize, const STEPS: usize>(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
-    worst_over::<CELLS, STEPS>(n, k, angles, |angle, azimuth| {
-        let picture = |(side, radius): (usize, f64)| {
-            // The whole sphere, or the part about the highlight.
-            let half = if 2.0 * radius > side as f64 {
-                (angle / 2.0).sin()
-            } else {
-                0.0
-            };
-            Picture::about(
-                [half * azimuth.cos(), half * azimuth.sin()],
-                1.0 / radius,
-                side,
-            )
+    worst_over::<CELLS, STEPS>(n, k, angles, pictures)
+}
+
+fn pictures(angle: f64, azimuth: f64) -> Vec<Picture> {
+    let picture = |(side, radius): (usize, f64)| {
+        // The whole sphere, or the part about the highlight.
+        let half = if 2.0 * radius > side as f64 {
+            (angle / 2.0).sin()
+        } else {
+            0.0
         };
-        PICTURES.map(picture).into()
-    })
+        Picture::about(
+            [half * azimuth.cos(), half * azimuth.sin()],
+            1.0 / radius,
+            side,
+        )
+    };
+    PICTURES.map(picture).into()
 }
 
 /// Pixels of a picture's side, and of the sphere's radius.
@@ -196,8 +219,13 @@ fn at_most_one_level_off_at_the_lobes_own_peak() {
 fn worst_of_parts(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
     // Where no channel shows the light, from the middle of the lobe.
     let reach = (0.5 * (1.0 - (-(8.0 + k.ln()) / n).exp())).sqrt();
+    worst_over::<512, 512>(n, k, angles, parts(reach))
+}
+
+/// As far from the middle of the lobe.
+fn parts(reach: f64) -> impl Fn(f64, f64) -> Vec<Picture> {
     let radii = [300.0, 700.0, 1500.0, 3000.0, 8192.0];
-    worst_over::<512, 512>(n, k, angles, |angle, azimuth| {
+    move |angle, azimuth| {
         let half = (angle / 2.0).sin();
         let part = |(part, radius): (i32, f64)| {
             let (turn, away) = (f64::from(part), reach * f64::from(part % 11) / 10.0);
@@ -208,7 +236,7 @@ fn worst_of_parts(n: f64, k: f64, angles: &[f64]) -> (f64, usize) {
             Picture::about(middle, 1.0 / radius, 70)
         };
         (0..60).zip(radii.into_iter().cycle()).map(part).collect()
-    })
+    }
 }
 
 #[test]
@@ -226,6 +254,19 @@ fn at_most_one_level_off_in_parts_of_large_spheres() {
         lit += found.1;
     }
     assert!(lit > 1_000_000, "{lit}");
+}
+
+/// K = c = 1/π among the gains.
+#[test]
+fn at_most_one_level_off_for_an_exponent_of_0() {
+    for k in [2e-3, 0.02, std::f64::consts::FRAC_1_PI, 1.0] {
+        let colours = LobeColours::<1024, true>::flat(gain(k));
+        let whole = worst_of::<1024, 1024, true>(&colours, 0.0, k, &ANGLES, pictures);
+        assert!(whole.0 <= 1.0 && whole.1 > 10_000, "K = {k}: {whole:?}");
+        let parts = parts(std::f64::consts::FRAC_1_SQRT_2);
+        let parts = worst_of::<1024, 1024, true>(&colours, 0.0, k, &ANGLES, parts);
+        assert!(parts.0 <= 1.0 && parts.1 > 10_000, "K = {k}: {parts:?}");
+    }
 }
 
 /// From one end of a long row to the other what is rounded adds up.

@@ -60,13 +60,22 @@ pub extern "C" fn moved(light: u32) -> u32 {
     u32::from(pixel[0])
 }
 
+macro_rules! colours {
+    (0.0, $k:expr) => {
+        LobeColours::flat(gain($k))
+    };
+    ($n:tt, $k:expr) => {
+        constant!(LobeColours::new(number($n), gain($k)))
+    };
+}
+
 macro_rules! rows {
-    ($($module:ident $symbol:literal $n:literal $k:expr, $exposure:literal $fields:literal
+    ($($module:ident $symbol:literal $n:tt $k:expr, $exposure:literal $fields:literal
         $colours:literal $steps:literal $light:ident)+) => {
         $(mod $module {
             use super::*;
 
-            static COLOURS: LobeColours<$colours> = constant!(LobeColours::new(number($n), gain($k)));
+            static COLOURS: LobeColours<$colours, { $n == 0.0 }> = colours!($n, $k);
             static LIT: LitSphere<$steps> = LitSphere::new(&COLOURS, direction($light));
 
             #[doc = $symbol]
@@ -114,6 +123,7 @@ macro_rules! rows {
 }
 
 rows! {
+    row_0_k1 "q15_sphere_row_0" 0.0 1.0, "1" "exponent = 0" 1024 2048 LIGHT
     row_1_k1 "q15_sphere_row_1" 1.0 1.0, "1" "exponent = 1" 1024 2048 LIGHT
     row_20_k1 "q15_sphere_row_20" 20.0 1.0, "1" "exponent = 20" 512 512 LIGHT
     row_20_behind "q15_sphere_row_20_behind" 20.0 1.0, "1"

@@ -86,6 +86,7 @@ const GOALS: [Goal; 7] = [
         title: "whole sphere pixel to RGB565, any n, at most one level off: of a tile's 16 rows of 64",
         kernels: &[
             "q15_sphere_row_1",
+            "q15_sphere_row_0",
             "q15_sphere_row_5000",
             "q15_sphere_row_500_kc",
             "q15_sphere_row_500",

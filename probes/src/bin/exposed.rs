@@ -68,20 +68,25 @@ mod probe {
             show(model.shade(&world));
         }
         if let Ok(colours) = LobeColours::<256>::new(any(), gain()) {
-            let place = || I2F30::from_bits(black_box(0));
-            let l = Direction::<Q31>::new(place(), place(), place());
-            let lit = LitSphere::<256>::new(&colours, l);
-            let mut rows = lit.rows(&colours, [place(), place()], [place(), place()]);
-            let mut pixels = [0; 64];
-            let count = black_box(64usize).min(pixels.len());
-            rows.shade(
-                pixels
-                    .split_at_mut_checked(count)
-                    .map_or(&mut [], |(row, _)| row),
-            );
-            black_box(pixels);
+            shade(&colours);
         }
+        shade(&LobeColours::<256, true>::flat(gain()));
         loop {}
+    }
+
+    fn shade<const FLAT: bool>(colours: &LobeColours<256, FLAT>) {
+        let place = || I2F30::from_bits(black_box(0));
+        let l = Direction::<Q31>::new(place(), place(), place());
+        let lit = LitSphere::<256>::new(colours, l);
+        let mut rows = lit.rows(colours, [place(), place()], [place(), place()]);
+        let mut pixels = [0; 64];
+        let count = black_box(64usize).min(pixels.len());
+        rows.shade(
+            pixels
+                .split_at_mut_checked(count)
+                .map_or(&mut [], |(row, _)| row),
+        );
+        black_box(pixels);
     }
 
     fn show(light: Rgb<u16>) {

@@ -32,26 +32,40 @@ pub fn highlight_checksums(count: usize, sink: &mut dyn FnMut(&'static str, u64)
         "n = 1", "n = 1.5", "n = 20", "n = 500", "n = 4e3", "n = 1e8", "faint", "dark",
     ];
     for (name, (n, gain)) in NAMES.into_iter().zip(LOBES) {
-        let mut sum = Checksum::new();
         let gain = Rgb::from_array(gain).map(U32F32::from_bits);
         let colours =
             LobeColours::<256>::new(U32F32::from_bits(n), gain).expect("an exponent from 1 on");
-        let mut samples = Samples::new(0x0916);
-        for _ in 0..count {
-            let [h, l] = samples.pair();
-            // One of them from behind, too, and one from nearly straight behind.
-            let behind = [l[0], l[1], -l[2].abs()];
-            let far = [l[0] / 16, l[1] / 16, -l[2].abs()];
-            for l in [h, l, behind, far] {
-                lit(&mut sum, &colours, l, h);
-            }
-        }
-        sink(name, sum.value());
+        sink(name, pictures(count, &colours));
     }
+    let gain = Rgb::from_array(LOBES[0].1).map(U32F32::from_bits);
+    sink(
+        "n = 0",
+        pictures(count, &LobeColours::<256, true>::flat(gain)),
+    );
+}
+
+fn pictures<const FLAT: bool>(count: usize, colours: &LobeColours<256, FLAT>) -> u64 {
+    let mut sum = Checksum::new();
+    let mut samples = Samples::new(0x0916);
+    for _ in 0..count {
+        let [h, l] = samples.pair();
+        // One of them from behind, too, and one from nearly straight behind.
+        let behind = [l[0], l[1], -l[2].abs()];
+        let far = [l[0] / 16, l[1] / 16, -l[2].abs()];
+        for l in [h, l, behind, far] {
+            lit(&mut sum, colours, l, h);
+        }
+    }
+    sum.value()
 }
 
 /// A picture about `middle`, and one of all of it.
-fn lit(sum: &mut Checksum, colours: &LobeColours<256>, l: [i32; 3], middle: [i32; 3]) {
+fn lit<const FLAT: bool>(
+    sum: &mut Checksum,
+    colours: &LobeColours<256, FLAT>,
+    l: [i32; 3],
+    middle: [i32; 3],
+) {
     const WIDE: usize = 24;
     let [x, y, z] = l.map(I2F30::from_bits);
     let sphere = LitSphere::<256>::new(colours, Direction::<Q31>::new(x, y, z));

@@ -86,6 +86,13 @@ pub const SCENE_BUGS: &[Bug] = &[
         &["highlight"],
     ),
     bug(
+        "a lobe of exponent 0 falls off as that of 1 does",
+        "core/src/shade/highlight/lobe_colours.rs",
+        "x >> SUM_BITS << SUM_BITS",
+        "x",
+        &["highlight"],
+    ),
+    bug(
         "a highlight's steps of z² end before the lobe does",
         "core/src/shade/highlight/lit_sphere.rs",
         "if above >> step_bits < STEPS as i64",

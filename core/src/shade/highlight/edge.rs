@@ -49,9 +49,9 @@ impl Edge {
     /// The code at offsets d and b, of which d lacks z's part, for z² with 30 fraction bits.
     // From both ends of a row: once.
     #[inline(never)]
-    pub(super) fn pixel<const COLOURS: usize>(
+    pub(super) fn pixel<const COLOURS: usize, const FLAT: bool>(
         &self,
-        colours: &LobeColours<COLOURS>,
+        colours: &LobeColours<COLOURS, FLAT>,
         at: Offsets,
         square: i64,
     ) -> u16 {
@@ -71,7 +71,8 @@ impl Edge {
 
         let rounded = |offset: i32| offset.wrapping_add(1 << (WAY_BITS - 1)) >> WAY_BITS;
         let [down, aside] = [rounded(d), rounded(at.b)];
-        let mut x = (down.wrapping_mul(down)).wrapping_add(aside.wrapping_mul(aside));
+        let sum = (down.wrapping_mul(down)).wrapping_add(aside.wrapping_mul(aside));
+        let mut x = LobeColours::<COLOURS, FLAT>::seen(sum);
         if d >= 0 {
             return colours.at(x);
         }
@@ -98,8 +99,8 @@ impl Edge {
 
 /// z² up to which pixels are the edge's if a step of z² is `1 << step_bits`, both with
 /// 30 fraction bits: beyond, half a step is less than a level.
-pub(super) const fn end<const COLOURS: usize>(
-    colours: &LobeColours<COLOURS>,
+pub(super) const fn end<const COLOURS: usize, const FLAT: bool>(
+    colours: &LobeColours<COLOURS, FLAT>,
     angle: &Angle,
     step_bits: u32,
 ) -> i64 {
@@ -145,4 +146,96 @@ const BRIGHT: i64 = 34;
 
 const fn greater(a: i64, b: i64) -> i64 {
     if a > b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use fixed::types::U32F32;
+
+    use super::*;
+    use crate::Rgb;
+
+    const ONE_UNIT: f64 = UNIT as f64;
+
+    /// Which of its rules decides.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    enum Rule {
+        Middle,
+        White,
+        End,
+        Ratio,
+        Bright,
+        Least,
+    }
+    use Rule::*;
+
+    /// The least and the greatest that [`end`] may be, as truncated as it is, in f64.
+    fn expected(colours: &LobeColours<512>, angle: &Angle, step_bits: u32) -> (f64, f64, Rule) {
+        let [sine, cosine] = [angle.sine, angle.cosine].map(|c| c as f64 / ONE_UNIT);
+        let radius = f64::from(colours.radius >> (32 - UNIT_BITS)) / ONE_UNIT;
+        let step = (f64::from(step_bits) - f64::from(UNIT_BITS)).exp2();
+
+        let shift = sine * step / (4.0 * cosine * radius);
+        let white = colours.level_at(1, 4) == 63;
+        if shift > if white { 3.0 } else { 8.0 } / 2048.0 {
+            return (1.0, 1.0, if white { White } else { Middle });
+        }
+        let level = colours.level_at(angle.cosine, i64::from(colours.radius) >> 2) as f64;
+        if level >= 35.0 {
+            return (1.0, 1.0, Bright);
+        }
+        let z = (sine * f64::from(colours.steepness) * step / (1.5 * radius)).min(1.0);
+        let behind = 1.0 - 2.0 * cosine * cosine;
+        let steps = 407.0 * level * level * behind / (63.0 * 63.0);
+        let rules = [(z * z, End), (steps * step, Ratio), (4.0 * step, Least)];
+        let (most, rule) =
+            (rules.into_iter()).fold(
+                (0.0, Least),
+                |most, rule| {
+                    if rule.0 > most.0 { rule } else { most }
+                },
+            );
+        let least = (z - step)
+            .max(0.0)
+            .powi(2)
+            .max((steps - 1.0).max(4.0) * step);
+        (least, most, rule)
+    }
+
+    #[test]
+    fn the_edge_ends_where_each_rule_says() {
+        let mut decided = std::vec::Vec::new();
+        for n in ["1", "1.5", "20", "500", "1e5", "1e8"] {
+            for gain in ["0.002", "0.03", "1", "50"] {
+                let [n, gain] = [n, gain]
+                    .map(|number| U32F32::from_num(number.parse::<f64>().expect("a number")));
+                let colours = LobeColours::<512>::new(n, Rgb::from_array([gain; 3])).unwrap();
+                for angle in [0.0f64, 1e-3, 0.1, 0.9, 1.5, 1.6, 2.0, 2.6, 3.0, 3.1, 3.139] {
+                    let angle = Angle::new([
+                        (angle.sin() * ONE_UNIT) as i64,
+                        0,
+                        (angle.cos() * ONE_UNIT) as i64,
+                    ]);
+                    for step_bits in 2..27 {
+                        let found = end(&colours, &angle, step_bits) as f64 / ONE_UNIT;
+                        let (least, most, rule) = expected(&colours, &angle, step_bits);
+                        let slack = 4.0 / ONE_UNIT + 1e-6 * most;
+                        assert!(
+                            (least - slack..=most + slack).contains(&found),
+                            "{found} is not {least} to {most}: {rule:?}, n = {n}, K = {gain}, \
+                             sin = {}, {step_bits}",
+                            angle.sine,
+                        );
+                        decided.push(rule);
+                    }
+                }
+            }
+        }
+        for rule in [Middle, White, End, Ratio, Bright, Least] {
+            let count = decided.iter().filter(|decided| **decided == rule).count();
+            assert!(count > 50, "{rule:?}: {count}");
+        }
+    }
 }

@@ -32,9 +32,10 @@ pub(super) const STEP_BITS: u32 = 18;
 ///
 /// Codes are at most one level off, under a light in any direction, with 512 steps and
 /// 512 colours for n from 1.5 on, to 1e8 at K = 1 and to 500 at the lobe's peak,
-/// K = (n + 2)/2π; with 1024 of both for n from 1 on; with 256 of both at K = 1 from
-/// n = 20 to 1e5. Pixels whose centre is within 1e-5 radii of the sphere's edge have no
-/// bound, and none is lit by a light within 0.03° of straight behind.
+/// K = (n + 2)/2π; with 1024 of both for n from 1 on, and for n = 0 at K up to 1; with
+/// 256 of both at K = 1 from n = 20 to 1e5. Pixels whose centre is within 1e-5 radii of
+/// the sphere's edge have no bound, for n = 0 nor have those with |cosα| below 0.004, and
+/// none is lit by a light within 0.03° of straight behind.
 /// Tested in `tests/tests/highlight.rs`, in pictures of up to 3000 by 3000 pixels, and
 /// in parts of spheres whose radius is up to 8192 pixels.
 ///
@@ -103,8 +104,8 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     /// The light in the direction `l`, of any length, for the lobe of `colours`;
     /// of no length, nothing is lit.
     #[must_use]
-    pub const fn new<const COLOURS: usize>(
-        colours: &LobeColours<COLOURS>,
+    pub const fn new<const COLOURS: usize, const FLAT: bool>(
+        colours: &LobeColours<COLOURS, FLAT>,
         l: Direction<Q31>,
     ) -> Self {
         const { assert!(STEPS.is_power_of_two()) }

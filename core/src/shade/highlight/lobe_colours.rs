@@ -36,8 +36,11 @@ const LN_5: u128 = 0x1_9C04_1F7E_D8D3_36AF;
 /// a greater x would, by a second table: x with a ratio r is 1 − (1 − x)·r^(1/n).
 /// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 2056 bytes,
 /// the same in flash and filled at start-up.
+///
+/// `FLAT` are those of exponent 0, made by [`LobeColours::flat`]: a type of their own, so that
+/// other lobes do not pay for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LobeColours<const CELLS: usize = 256> {
+pub struct LobeColours<const CELLS: usize = 256, const FLAT: bool = false> {
     colours: [u16; CELLS],
     /// By what a ratio is less than 1; the last is beyond.
     shifts: [Shift; RATIOS],
@@ -48,21 +51,53 @@ pub struct LobeColours<const CELLS: usize = 256> {
 }
 
 impl<const CELLS: usize> LobeColours<CELLS> {
-    const CELL_SHIFT: u32 = SUM_BITS - CELLS.ilog2();
-
     /// The lobe of exponent `n` with the gain K of each channel; too faint a gain
     /// leaves it black.
     ///
     /// # Errors
-    /// `n` outside 1 to 1e8.
+    /// `n` outside 1 to 1e8; for 0 there is [`LobeColours::flat`].
     pub const fn new(n: U32F32, gain: Rgb<U32F32>) -> Result<Self, ParameterError> {
-        const { assert!(CELLS.is_power_of_two() && CELLS <= 4096) }
         let n = match exponent::fixed(n) {
             Ok(n) if n > 0 => n,
             _ => return Err(ParameterError::new("exponent", "a number from 1 to 1e8")),
         };
-        let gain = [gain.r.to_bits(), gain.g.to_bits(), gain.b.to_bits()];
+        let gain = bits(gain);
         let cutoff = cutoff(n, gain);
+        Ok(Self::of(
+            n,
+            gain,
+            cutoff,
+            radius(cutoff),
+            steepness(n, cutoff),
+        ))
+    }
+}
+
+impl<const CELLS: usize> LobeColours<CELLS, true> {
+    /// The lobe of exponent 0 with the gain K of each channel: K · cosΘL/cosΘmin (3.7)
+    /// wherever α is below 90°, and nothing beyond.
+    ///
+    /// ```
+    /// use microbrdf::Rgb;
+    /// use microbrdf::fixed::types::U32F32;
+    /// use microbrdf::shade::LobeColours;
+    ///
+    /// static SILVER: LobeColours<1024, true> = LobeColours::flat(Rgb::grey(U32F32::ONE));
+    /// ```
+    #[must_use]
+    pub const fn flat(gain: Rgb<U32F32>) -> Self {
+        // Of the exponent 1 a ratio is dimmed as it is; x is not seen.
+        const ONCE: u64 = 1 << 32;
+        let gain = bits(gain);
+        Self::of(ONCE, gain, cutoff(ONCE, gain), radius(u64::MAX), 0)
+    }
+}
+
+impl<const CELLS: usize, const FLAT: bool> LobeColours<CELLS, FLAT> {
+    const CELL_SHIFT: u32 = SUM_BITS - CELLS.ilog2();
+
+    const fn of(n: u64, gain: [u64; 3], cutoff: u64, radius: u32, steepness: u32) -> Self {
+        const { assert!(CELLS.is_power_of_two() && CELLS <= 4096) }
         let mut colours = [0; CELLS];
         let mut cell = 0;
         // The last one is black, for what is beyond.
@@ -83,12 +118,18 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             shifts[cell] = Shift::new(cell as u64, n, cutoff);
             cell += 1;
         }
-        Ok(Self {
+        Self {
             colours,
             shifts,
-            radius: (cutoff >> 1).isqrt() as u32,
-            steepness: steepness(n, cutoff),
-        })
+            radius,
+            steepness,
+        }
+    }
+
+    /// What of a pixel's x tells its colour: of `FLAT` whether it is beyond.
+    #[inline(always)]
+    pub(super) const fn seen(x: i32) -> i32 {
+        if FLAT { x >> SUM_BITS << SUM_BITS } else { x }
     }
 
     /// The code at x, in cutoffs with 24 fraction bits; black beyond.
@@ -124,7 +165,11 @@ impl<const CELLS: usize> LobeColours<CELLS> {
             return 0;
         }
         // Below 1, with 15 fraction bits; of its square, 30.
-        let part = quotient(offset << 15, radius);
+        let part = if FLAT {
+            0
+        } else {
+            quotient(offset << 15, radius)
+        };
         let cell = (part * part * CELLS as i64) >> 30;
         let code = self.colours[cell as usize % CELLS] as i64;
         let [red, green, blue] = [code >> 10 & 63, code >> 5 & 63, code << 1 & 63];
@@ -155,6 +200,10 @@ fn saturated<const CELLS: usize>(number: i32, bits: u32) -> usize {
     (number >> bits).clamp(0, CELLS as i32 - 1) as usize
 }
 
+const fn bits(gain: Rgb<U32F32>) -> [u64; 3] {
+    [gain.r.to_bits(), gain.g.to_bits(), gain.b.to_bits()]
+}
+
 /// x, 64 fraction bits, beyond which `UNSEEN` is more than the light.
 const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
     let most = greatest(gain);
@@ -171,6 +220,11 @@ const fn cutoff(n: u64, gain: [u64; 3]) -> u64 {
     } else {
         u64::MAX
     }
+}
+
+/// Of a cutoff of x, 64 fraction bits.
+const fn radius(cutoff: u64) -> u32 {
+    (cutoff >> 1).isqrt() as u32
 }
 
 /// By how many levels of green a cutoff of x would change the code if all of it were as
@@ -257,7 +311,34 @@ impl Shift {
 
 #[cfg(test)]
 mod tests {
-    use super::{cell, saturated};
+    use fixed::types::U32F32;
+
+    use super::{LobeColours, SUM_BITS, cell, saturated};
+    use crate::Rgb;
+
+    #[test]
+    fn a_level_is_that_of_the_greatest_channel() {
+        let tints = [
+            ["1", "0.5", "0.2"],
+            ["0.3", "0.8", "0.5"],
+            ["0", "0.2", "0.4"],
+        ];
+        for tint in tints.map(|tint| tint.map(|share| share.parse::<U32F32>().unwrap())) {
+            let colours = LobeColours::<512>::new(20u32.into(), Rgb::from_array(tint)).unwrap();
+            for offset in 0..300 {
+                let x = ((offset * offset) << SUM_BITS) / (256 * 256);
+                let code = i64::from(colours.at(x as i32));
+                let [red, green, blue] = [code >> 11, code >> 5 & 63, code & 31];
+                // A level of red or blue is two of green, to one of them.
+                let greatest = (2 * red).max(green).max(2 * blue);
+                let level = colours.level_at(offset, 256);
+                assert!(
+                    (greatest..=greatest + 1).contains(&level),
+                    "{offset}: {level}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn both_ways_to_a_cell_agree() {

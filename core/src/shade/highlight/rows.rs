@@ -23,9 +23,9 @@ const _: () = assert!(OFFSET_BITS + SLOPE_BITS == LESS_BITS);
 ///
 /// From a pixel to the next there are only sums.
 #[derive(Clone, Copy, Debug)]
-pub struct SphereRows<'a, const COLOURS: usize, const STEPS: usize> {
+pub struct SphereRows<'a, const COLOURS: usize, const STEPS: usize, const FLAT: bool = false> {
     lit: &'a LitSphere<STEPS>,
-    colours: &'a LobeColours<COLOURS>,
+    colours: &'a LobeColours<COLOURS, FLAT>,
     /// At the first pixel of the row that is next.
     coarse: Offsets,
     place: Place,
@@ -42,12 +42,12 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     /// from `start` on: all in radii from the centre, x to the right and y
     /// upwards, each pixel within 2 of it in either.
     #[must_use]
-    pub fn rows<'a, const COLOURS: usize>(
+    pub fn rows<'a, const COLOURS: usize, const FLAT: bool>(
         &'a self,
-        colours: &'a LobeColours<COLOURS>,
+        colours: &'a LobeColours<COLOURS, FLAT>,
         start: [I2F30; 2],
         step: [I2F30; 2],
-    ) -> SphereRows<'a, COLOURS, STEPS> {
+    ) -> SphereRows<'a, COLOURS, STEPS, FLAT> {
         let [x, y] = start.map(|c| i64::from(c.to_bits()));
         let [across, down] = step.map(|c| i64::from(c.to_bits()));
         let zero = (1 << (2 * UNIT_BITS)) - (i64::from(self.lowest) << UNIT_BITS);
@@ -127,7 +127,9 @@ impl<const STEPS: usize> LitSphere<STEPS> {
     }
 }
 
-impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
+impl<const COLOURS: usize, const STEPS: usize, const FLAT: bool>
+    SphereRows<'_, COLOURS, STEPS, FLAT>
+{
     /// RGB565 codes of the next row, of fewer than 2¹⁶ pixels: 0 beside the sphere
     /// and the lobe. From 2¹⁶ on, and for pixels farther from the centre than
     /// [`LitSphere::rows`] allows, they are any.
@@ -290,7 +292,7 @@ impl<const COLOURS: usize, const STEPS: usize> SphereRows<'_, COLOURS, STEPS> {
         let d = at.d.wrapping_add(word.offset()) >> WAY_BITS;
         let x = || {
             let b = at.b >> WAY_BITS;
-            d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b))
+            LobeColours::<COLOURS, FLAT>::seen(d.wrapping_mul(d).wrapping_add(b.wrapping_mul(b)))
         };
         // Once for both ways, or, so that there is a register more until then, on each.
         let early = cfg!(long_multiply).then(x);
