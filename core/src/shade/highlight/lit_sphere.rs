@@ -218,7 +218,7 @@ impl Height {
         };
         const DROP: u32 = COEFFICIENT_BITS - OFFSET_BITS - WAY_BITS;
         let offset = (product(self.tilt, self.middle - z) << self.narrowness) >> DROP;
-        let slope = quotient(self.steepness << SLOPE_BITS, if z > 0 { z } else { 1 });
+        let slope = quotient(self.steepness << SLOPE_BITS, z);
         Word::new(offset, in_ratios(slope))
     }
 }

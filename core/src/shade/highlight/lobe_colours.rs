@@ -313,8 +313,17 @@ impl Shift {
 mod tests {
     use fixed::types::U32F32;
 
-    use super::{LobeColours, SUM_BITS, cell, saturated};
+    use super::{BLACK, LESS_BITS, LobeColours, SUM_BITS, cell, in_ratios, saturated};
     use crate::Rgb;
+
+    #[test]
+    fn of_a_ratio_of_0_nothing_is_left() {
+        let none = in_ratios(1 << LESS_BITS) as i32;
+        let colours = LobeColours::<512>::new(20u32.into(), Rgb::grey(50u32.into())).unwrap();
+        for x in [0, 1 << 20, (1 << SUM_BITS) - 1] {
+            assert_eq!(colours.at(colours.dimmed(|| x, none)), BLACK);
+        }
+    }
 
     #[test]
     fn a_level_is_that_of_the_greatest_channel() {

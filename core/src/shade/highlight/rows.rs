@@ -175,7 +175,7 @@ impl<const COLOURS: usize, const STEPS: usize, const FLAT: bool>
             walk = self.walk(before);
         }
         let others = rest.len() as i32 - 1;
-        if walk.after(others).square < upper(NEAR) {
+        if walk.square_after(others) < upper(NEAR) {
             self.edge_at_last(before.wrapping_add(others as u32), &mut rest);
         }
         if cfg!(long_multiply) {

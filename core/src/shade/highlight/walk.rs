@@ -93,16 +93,11 @@ impl Walk {
         }
     }
 
-    /// As many pixels on; `times` is at most [`CHUNK`].
-    pub(super) fn after(self, times: i32) -> Self {
-        let changes = self.bend.wrapping_mul(times * (times - 1) / 2);
-        Self {
-            offsets: self.offsets.plus_times(self.step, times),
-            square: (self.square.wrapping_add(self.change.wrapping_mul(times)))
-                .wrapping_add(changes),
-            change: self.change.wrapping_add(self.bend.wrapping_mul(times)),
-            ..self
-        }
+    /// z² so many pixels on, at most [`CHUNK`].
+    pub(super) fn square_after(self, pixels: i32) -> i32 {
+        let changes = self.bend.wrapping_mul(pixels * (pixels - 1) / 2);
+        let way = self.change.wrapping_mul(pixels).wrapping_add(changes);
+        self.square.wrapping_add(way)
     }
 
     pub(super) fn forwards(&mut self) {

@@ -30,3 +30,14 @@ pub(super) const fn clamp(value: i64, least: i64, most: i64) -> i64 {
         value
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::clamp;
+
+    #[test]
+    fn what_is_outside_is_at_the_nearer_end() {
+        let clamped = [-9, -2, -1, 0, 3, 4, 9].map(|value| clamp(value, -1, 3));
+        assert_eq!(clamped, [-1, -1, -1, 0, 3, 3, 3]);
+    }
+}
