@@ -193,6 +193,8 @@ macro_rules! sized {
                 "metallic-phong", "exponent = 1", about 1.0, c = lobe_peak(1.0);
             grey metallic_phong_20: MetallicPhong<A> = LOBE_20,
                 "metallic-phong", "exponent = 20", about 20.0, c = lobe_peak(20.0);
+            grey metallic_phong_500: MetallicPhong<A> = constant!(MetallicPhong::<A>::new(number(500.0))),
+                "metallic-phong", "exponent = 500", about 500.0, c = lobe_peak(500.0);
             grey metallic_phong_5000: MetallicPhong<A> = constant!(MetallicPhong::<A>::new(number(5000.0))),
                 "metallic-phong", "exponent = 5000", about 5000.0, c = lobe_peak(5000.0);
             grey patch_exponential: PatchExponential<A> = constant!(PatchExponential::<A>::new(number(4.0))),

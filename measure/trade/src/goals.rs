@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
 
+use crate::beside;
 use crate::document::CORES;
 use crate::row::Row;
 
@@ -171,6 +172,7 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
         of_calls(NOTHING),
         of_calls("srgb8_direct"),
     );
+    text.push_str(&beside::markdown(rows));
     for goal in &GOALS {
         let missed: Vec<_> = AIMED
             .into_iter()
@@ -203,6 +205,24 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
         }
     }
     text
+}
+
+/// The goals that are missed on the cores that there are figures of.
+#[must_use]
+pub fn missed(rows: &[Row]) -> Vec<String> {
+    let mut faults = beside::missed(rows);
+    for goal in &GOALS {
+        for (core, at_most) in AIMED.into_iter().zip(goal.at_most) {
+            let most = most(rows, goal, core);
+            if most > at_most {
+                faults.push(format!(
+                    "{} on {core}: {most} cycles, the goal is {at_most}",
+                    goal.title
+                ));
+            }
+        }
+    }
+    faults
 }
 
 fn mean(rows: &[Row], kernel: &str, core: &str) -> f64 {

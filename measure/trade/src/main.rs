@@ -229,6 +229,7 @@ fn check_all(rows: &[Row], listings: &Listings, root: &Path) -> Result<()> {
         }
         faults.extend(found.faults);
     }
+    faults.extend(goals::missed(rows));
     // Another compiler's instructions are others.
     let same = |row: &Row| {
         kept.first()

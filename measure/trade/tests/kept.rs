@@ -8,7 +8,7 @@ use microbrdf_kernels::{kernels, profile::PROFILE};
 use microbrdf_scene::Material;
 use microbrdf_trade::row::{self, Row};
 use microbrdf_trade::subject::Subject;
-use microbrdf_trade::{curve, document, plot, samples};
+use microbrdf_trade::{curve, document, goals, plot, samples};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -35,6 +35,20 @@ fn the_document_and_its_plots_show_the_kept_figures() {
             assert!(text(&path) == plot::svg(&rows, core), "{path}");
         }
     }
+}
+
+#[test]
+fn goals_are_reached_and_a_miss_is_told() {
+    let mut rows = rows();
+    assert_eq!(goals::missed(&rows), [""; 0]);
+    for row in &mut rows {
+        if row.core == "cortex-m4f" && row.kernel.starts_with("q15") {
+            row.cycles_mean *= 2.0;
+        }
+    }
+    let missed = goals::missed(&rows);
+    // Each of the table, and the factor of each exponent.
+    assert_eq!(missed.len(), 7 + 3, "{missed:?}");
 }
 
 #[test]

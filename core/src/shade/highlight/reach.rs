@@ -51,16 +51,10 @@ impl Reach {
 
     /// How far z² may be below and above `lowest` where the lobe may reach.
     pub(super) const fn squares(&self, lowest: i64) -> [i64; 2] {
+        // The azimuth's side is the farther one: the middle of the lobe is sinθ along it.
         let [from, to] = [self.along[0] - self.slack, self.along[1] + self.slack];
-        let nearest = if from > 0 {
-            from
-        } else if to < 0 {
-            to
-        } else {
-            0
-        };
-        let greatest = if to > -from { to } else { -from };
-        let least = UNIT - product(greatest, greatest) - product(self.across, self.across);
+        let nearest = if from > 0 { from } else { 0 };
+        let least = UNIT - product(to, to) - product(self.across, self.across);
         let most = UNIT - product(nearest, nearest);
         [lowest - least, most - lowest]
     }

@@ -140,3 +140,33 @@ impl Offsets {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CHUNK, Offsets, Place, Step, Walk};
+
+    #[test]
+    fn z_squared_is_the_same_by_one_step_as_by_many() {
+        let none = Offsets { d: 0, b: 0 };
+        for [square, change, bend] in [[5, 7, -3], [-1_000, 123, -1], [1 << 29, -1 << 20, 9]] {
+            let [square, change, bend] = [square, change, bend].map(|words: i64| words << 32);
+            let step = Step {
+                offsets: none,
+                square: change,
+                bend,
+            };
+            let start = Walk::new(
+                Place {
+                    offsets: none,
+                    square,
+                },
+                step,
+            );
+            let mut walk = start;
+            for pixels in 0..=CHUNK {
+                assert_eq!(start.square_after(pixels), walk.square);
+                walk.climb();
+            }
+        }
+    }
+}
