@@ -17,6 +17,7 @@ pub mod fuzz;
 pub mod fuzz_files;
 pub mod fuzz_obj;
 pub mod fuzz_scene;
+pub mod given;
 pub mod grazing;
 pub mod meshes;
 pub mod pictures;

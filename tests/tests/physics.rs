@@ -4,10 +4,11 @@
 use microbrdf::Rgb;
 use microbrdf::brdf::Brdf;
 use microbrdf::geometry::{Geometry, ShadingFrame, World};
-use microbrdf_scene::{AnyModel, Material};
+use microbrdf_scene::AnyModel;
 use microbrdf_tests::arithmetic::{Tested, bits, rounded};
 use microbrdf_tests::domain::{Pair, Set};
 use microbrdf_tests::frame::Rotations;
+use microbrdf_tests::given::{frame, model};
 use microbrdf_tests::in_every_arithmetic;
 use microbrdf_tests::registry::{self, Entry};
 
@@ -24,13 +25,6 @@ in_every_arithmetic!(
     a_vanishing_sharpness_tends_to_lambert,
 );
 
-fn model<A: Tested>(toml: &str) -> AnyModel<A> {
-    Material::from_argument(toml)
-        .expect("a material")
-        .model()
-        .expect("a material that the arithmetic takes")
-}
-
 /// Calls `each` with every model of the registry and samples of every set.
 fn each_pair<A: Tested>(mut each: impl FnMut(&Entry, &AnyModel<A>, Set, Pair)) {
     for entry in registry::all() {
@@ -43,15 +37,11 @@ fn each_pair<A: Tested>(mut each: impl FnMut(&Entry, &AnyModel<A>, Set, Pair)) {
     }
 }
 
-fn frame<A: Tested>([l, v]: Pair) -> ShadingFrame<A> {
-    ShadingFrame::new(rounded(l), rounded(v))
-}
-
 fn swapping_the_directions_changes_no_bit<A: Tested>() {
     let mut rotations = Rotations::new(7);
     let mut lit = 0;
     each_pair::<A>(|entry, model, set, pair| {
-        let there = frame::<A>(pair);
+        let there = frame::<A>(pair[0], pair[1]);
         let back = ShadingFrame::new(there.v, there.l);
         let f = bits(model.brdf(&there).to_array());
         assert_eq!(
@@ -89,7 +79,7 @@ fn nothing_reflects_more_than_the_peak<A: Tested>() {
     };
     let mut rotations = Rotations::new(8);
     each_pair::<A>(|entry, model, _, pair| {
-        check(entry, model, &|| show(model, &frame::<A>(pair)));
+        check(entry, model, &|| show(model, &frame::<A>(pair[0], pair[1])));
         let [n, l, v] = rotations.turn(pair).map(rounded::<A>);
         check(entry, model, &|| show(model, &World::new(n, l, v)));
     });
@@ -119,7 +109,7 @@ fn below_the_horizon_all_is_zero<A: Tested>() {
         if set != Set::Outside {
             return;
         }
-        let geometry = frame::<A>(pair);
+        let geometry = frame::<A>(pair[0], pair[1]);
         if geometry.l.z >= zero && geometry.v.z >= zero {
             return;
         }
@@ -177,7 +167,7 @@ fn same<A: Tested>(a: &str, b: &str) {
     let mut rotations = Rotations::new(9);
     for set in Set::ALL {
         for pair in set.pairs(1.0, 12.0, SAMPLES) {
-            let geometry = frame::<A>(pair);
+            let geometry = frame::<A>(pair[0], pair[1]);
             assert_eq!(
                 bits(a.brdf(&geometry).to_array()),
                 bits(b.brdf(&geometry).to_array()),
@@ -221,7 +211,7 @@ fn a_vanishing_sharpness_tends_to_lambert<A: Tested>() {
         let mixture = model::<A>(&format!("model = \"patch-exponential\", sharpness = {s}"));
         let mut greatest = 0.0f64;
         for pair in Set::Random.pairs(1.0, 12.0, 2000) {
-            let geometry = frame::<A>(pair);
+            let geometry = frame::<A>(pair[0], pair[1]);
             let [m, l] = [&mixture, &lambert].map(|model| A::unit_value(model.share(&geometry).r));
             let loss = l - m;
             assert!(

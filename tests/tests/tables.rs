@@ -10,13 +10,7 @@ use microbrdf::geometry::{Direction, ShadingFrame};
 use microbrdf_reference as reference;
 use microbrdf_scene::{AnyModel, HostArithmetic, Material};
 use microbrdf_tests::curves::CURVES;
-
-fn model<A: HostArithmetic>(toml: &str) -> AnyModel<A> {
-    Material::from_argument(toml)
-        .expect("a material")
-        .model()
-        .expect("a material that the arithmetic takes")
-}
+use microbrdf_tests::given::model;
 
 /// A direction in 30 fraction bits.
 fn direction<const CELLS: usize>(bits: [i32; 3]) -> Direction<Q31<CELLS>> {

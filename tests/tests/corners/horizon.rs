@@ -6,10 +6,11 @@ use microbrdf::geometry::World;
 use microbrdf_tests::arithmetic::{Tested, bits, rounded};
 use microbrdf_tests::domain::Set;
 use microbrdf_tests::frame::Rotations;
+use microbrdf_tests::given::{frame, model};
 use microbrdf_tests::in_every_arithmetic;
 
 use crate::faults::{Faults, in_range, is_zero};
-use crate::{frame, model, models};
+use crate::models;
 
 in_every_arithmetic!(
     light_at_the_horizon_reflects_nothing,

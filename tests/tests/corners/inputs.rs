@@ -6,9 +6,9 @@ use microbrdf::brdf::{Brdf, MetallicPhong};
 use microbrdf::fixed::types::I2F30;
 use microbrdf::geometry::{Direction, ShadingFrame, World};
 use microbrdf_tests::arithmetic::bits;
+use microbrdf_tests::given::{frame, model};
 
 use crate::faults::{Faults, in_range, is_zero};
-use crate::{frame, model};
 
 /// All sequences of `length` of the given values.
 fn each<T: Copy>(values: &[T], length: usize, mut call: impl FnMut(&[T])) {

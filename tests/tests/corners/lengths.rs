@@ -5,10 +5,10 @@ use microbrdf_tests::arithmetic::{Tested, rounded};
 use microbrdf_tests::domain::Set;
 use microbrdf_tests::error::Subject;
 use microbrdf_tests::frame::Rotations;
+use microbrdf_tests::given::frame;
 use microbrdf_tests::{in_every_arithmetic, registry};
 
 use crate::faults::{Faults, in_range};
-use crate::frame;
 
 in_every_arithmetic!(
     lengths_within_the_contract_keep_the_accuracy,

@@ -9,17 +9,10 @@ mod inputs;
 mod lengths;
 mod peak;
 
-use microbrdf::geometry::ShadingFrame;
-use microbrdf_scene::{AnyModel, Material};
-use microbrdf_tests::arithmetic::{Tested, rounded};
+use microbrdf_scene::AnyModel;
+use microbrdf_tests::arithmetic::Tested;
+use microbrdf_tests::given::model;
 use microbrdf_tests::registry;
-
-fn model<A: Tested>(toml: &str) -> AnyModel<A> {
-    Material::from_argument(toml)
-        .expect("a material")
-        .model()
-        .expect("a material that the arithmetic takes")
-}
 
 /// All models, the colours apart from white.
 fn models<A: Tested>() -> Vec<(String, AnyModel<A>)> {
@@ -30,8 +23,4 @@ fn models<A: Tested>() -> Vec<(String, AnyModel<A>)> {
             (entry.toml, model)
         })
         .collect()
-}
-
-fn frame<A: Tested>(l: [f64; 3], v: [f64; 3]) -> ShadingFrame<A> {
-    ShadingFrame::new(rounded(l), rounded(v))
 }

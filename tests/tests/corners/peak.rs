@@ -6,10 +6,11 @@ use microbrdf::geometry::{Geometry, ShadingFrame, World};
 use microbrdf_tests::arithmetic::{Tested, rounded, value_of};
 use microbrdf_tests::domain::Set;
 use microbrdf_tests::frame::Rotations;
+use microbrdf_tests::given::{frame, model};
 use microbrdf_tests::{in_every_arithmetic, registry};
 
 use crate::faults::{Faults, in_range, is_zero};
-use crate::{frame, model, models};
+use crate::models;
 
 in_every_arithmetic!(
     along_the_normal_everything_shows_its_peak,

@@ -5,9 +5,10 @@ use microbrdf::brdf::Brdf;
 use microbrdf_reference::fresnel::conductor;
 use microbrdf_scene::AnyModel;
 use microbrdf_tests::arithmetic::Tested;
+use microbrdf_tests::given::{frame, model};
 use microbrdf_tests::in_every_arithmetic;
 
-use crate::{at, brdf, close, frame, model, share};
+use crate::{at, brdf, close, share};
 
 in_every_arithmetic!(
     fresnel_is_taken_at_the_smaller_angle,

@@ -2,9 +2,10 @@
 
 use microbrdf::brdf::Brdf;
 use microbrdf_tests::arithmetic::Tested;
+use microbrdf_tests::given::{frame, model};
 use microbrdf_tests::in_every_arithmetic;
 
-use crate::{at, close, frame, model, share};
+use crate::{at, close, share};
 
 in_every_arithmetic!(
     generalised_lambert_is_the_closed_form,

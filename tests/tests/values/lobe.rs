@@ -4,9 +4,10 @@ use microbrdf::Rgb;
 use microbrdf::brdf::Brdf;
 use microbrdf_scene::AnyModel;
 use microbrdf_tests::arithmetic::Tested;
+use microbrdf_tests::given::{frame, model};
 use microbrdf_tests::in_every_arithmetic;
 
-use crate::{angles, at, brdf, close, frame, model, share};
+use crate::{angles, at, brdf, close, share};
 
 in_every_arithmetic!(
     the_mirror_direction_gives_the_peak,

@@ -7,16 +7,9 @@ mod lobe;
 mod patch;
 
 use microbrdf::brdf::Brdf;
-use microbrdf::geometry::{Geometry, ShadingFrame};
-use microbrdf_scene::{AnyModel, Material};
-use microbrdf_tests::arithmetic::{Tested, rounded};
-
-fn model<A: Tested>(toml: &str) -> AnyModel<A> {
-    Material::from_argument(toml)
-        .expect("a material")
-        .model()
-        .expect("a material that the arithmetic takes")
-}
+use microbrdf::geometry::Geometry;
+use microbrdf_scene::AnyModel;
+use microbrdf_tests::arithmetic::Tested;
 
 /// The direction at angles in degrees.
 fn at(theta: f64, phi: f64) -> [f64; 3] {
@@ -26,10 +19,6 @@ fn at(theta: f64, phi: f64) -> [f64; 3] {
         theta.sin() * phi.sin(),
         theta.cos(),
     ]
-}
-
-fn frame<A: Tested>(l: [f64; 3], v: [f64; 3]) -> ShadingFrame<A> {
-    ShadingFrame::new(rounded(l), rounded(v))
 }
 
 fn share<A: Tested>(model: &AnyModel<A>, geometry: &impl Geometry<A>) -> [f64; 3] {
