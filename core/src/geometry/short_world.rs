@@ -11,11 +11,9 @@ const COSINE_SHIFT: u32 = 2;
 /// directions of [`Q15`]: 1 − R·V and m² are made of sums of products that are
 /// exact in integers, not coordinate by coordinate.
 ///
-/// It is quicker where a product of 64 bits is one instruction, and slower on other
-/// cores. 1 − R·V and m² are within 2⁻²⁴ and 2e-4 of their values; `tests` here.
-///
-/// Components may have any bits; of directions whose length is far from 1 the light
-/// is any.
+/// It is quicker on every core that is measured (1 − R·V in `docs/trade.md`), and tells
+/// less of an N whose length is wrong: from 2⁻¹³ off on the light is any. 1 − R·V and m²
+/// are within 2⁻²⁴ and 2.4e-4 of their values; `tests` here. Components may have any bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShortWorld<const KNOTS: usize = 129> {
     normal: Direction<Q15<KNOTS>>,
@@ -49,15 +47,16 @@ impl<const KNOTS: usize> ShortWorld<KNOTS> {
     /// |L + V|²|N|² − 4p, for 4p, with 28 fraction bits: sums of products of components
     /// are exact, so that nothing cancels that was rounded. With p = (N·L)(N·V) it is
     /// twice 1 − R·V, with p = ((N·L + N·V)/2)² it is m², of an N as long as it is; the
-    /// square of that length is within 2e-4 of 1. Never negative.
+    /// square of that length is within 2.4e-4 of 1. Never negative.
     #[inline(always)]
     fn without(&self, four_p: i32) -> u32 {
         let (n, l, v) = (&self.normal, &self.l, &self.v);
         let sum = |a, b| Q15::<KNOTS>::sum(a, b);
         let square = Q15::<KNOTS>::square([sum(l.z, v.z), sum(l.y, v.y), sum(l.x, v.x)]) as i32;
-        // |N|² − 1 is the lower half of |N|², 28 fraction bits.
-        let excess = i32::from(sum_of_products(n.bits(), n.bits()) as i16);
-        let scaled = square.wrapping_add(((square >> 16) * excess) >> 12);
+        // |N|² − 1, of a length within 2⁻¹⁴ of 1 below 2⁻¹²: 16 bits, of which the last has 27
+        // fraction bits.
+        let excess = (sum_of_products(n.bits(), n.bits()) << 15) >> 16;
+        let scaled = square.wrapping_add(((square >> 16) * excess) >> 11);
         scaled.wrapping_sub(four_p).max(0) as u32
     }
 }
@@ -194,7 +193,7 @@ mod tests {
     #[test]
     fn world_space_loses_no_digits() {
         let mut state = 7;
-        let (mut worst, mut exactly) = ([0.0f64; 2], 0);
+        let (mut worst, mut exactly, mut skipped) = ([0.0f64; 2], 0, 0);
         for i in 0..200_000 {
             let vector = |state: &mut u64| unit([draw(state), draw(state), draw(state)]);
             let (n, l) = (vector(&mut state), vector(&mut state));
@@ -205,15 +204,16 @@ mod tests {
             let [n, l, v] = [n, l, v].map(|c| rounded(c, draw(&mut state)));
             if [n, l, v]
                 .iter()
-                .any(|c| (dot(*c, *c) - (1 << 28)).abs() > 1 << 15)
+                .any(|c| (dot(*c, *c) - (1 << 28)).abs() > 1 << 16)
             {
+                skipped += 1;
                 continue;
             }
             let (found, swapped) = (found(n, l, v), found(n, v, l));
             assert_eq!(found, swapped, "{n:?}, {l:?}, {v:?}");
             let pairs = found.into_iter().zip(exact(n, l, v));
             for ((found, exact), worst) in pairs.zip(&mut worst) {
-                let off = (f64::from(found) - exact).abs() - exact * 2e-4;
+                let off = (f64::from(found) - exact).abs() - exact * 2.4e-4;
                 *worst = worst.max(off);
                 exactly += u32::from(off <= 64.0);
             }
@@ -221,7 +221,7 @@ mod tests {
         // 2⁻²⁸ each.
         assert!((16.0..=32.0).contains(&worst[0]), "{worst:?}");
         assert!((4.0..=16.0).contains(&worst[1]), "{worst:?}");
-        assert!(exactly > 100_000, "{exactly}");
+        assert!(exactly > 100_000 && skipped == 0, "{exactly}, {skipped}");
     }
 
     /// Mirrored, grazing, along the normal, opposite, and where L + V has a

@@ -1,7 +1,7 @@
 //! Single steps: dot products, and the encoding of one channel.
 
 use microbrdf::arithmetic::{Arithmetic, Q15};
-use microbrdf::geometry::{Geometry, World};
+use microbrdf::geometry::{Geometry, ShortWorld, World};
 use microbrdf::shade::{Linear, grey16, grey16_nearest, srgb8, srgb8_direct, srgb8_quick};
 
 #[cfg(not(target_os = "none"))]
@@ -88,6 +88,14 @@ pub extern "C" fn palette(light: u16) -> u32 {
 pub extern "C" fn versine(n: Short, l: Short, v: Short) -> u64 {
     let [n, l, v] = [n, l, v].map(crate::ways::q15::direction);
     u64::from(World::<Q15>::new(n, l, v).versine())
+}
+
+/// The same by sums of products.
+#[allow(unsafe_code)]
+#[unsafe(export_name = "q15_short_world_versine")]
+pub extern "C" fn short_versine(n: Short, l: Short, v: Short) -> u64 {
+    let [n, l, v] = [n, l, v].map(crate::ways::q15::direction);
+    u64::from(ShortWorld::<129>::new(n, l, v).versine())
 }
 
 fn place(linear: u32) -> (usize, usize) {
@@ -185,6 +193,13 @@ pub(crate) const KERNELS: &[Kernel] = &[
         "core",
         "versine",
         Call::ShortWorldPacked(versine),
+    ),
+    step(
+        "q15_short_world_versine",
+        "q15",
+        "core, by sums of products",
+        "versine",
+        Call::ShortWorldPacked(short_versine),
     ),
     step("f32_dots", "f32", "core", DOTS, Call::World(f32::dots)),
     step("q31_dots", "q31", "core", DOTS, Call::World(q31::dots)),
