@@ -79,9 +79,15 @@ impl Picture {
     }
 }
 
-/// Writes a file by way of a temporary one beside it.
+/// Writes a file by way of a temporary one beside it; a link stays one, and what is no
+/// file, a device or a pipe, is written to as it is.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Outcome<()> {
     let fault = |error: std::io::Error| Failure::Usage(format!("{}: {error}", path.display()));
+    let linked = std::fs::canonicalize(path);
+    let path = linked.as_deref().unwrap_or(path);
+    if path.exists() && !path.is_file() {
+        return std::fs::write(path, bytes).map_err(fault);
+    }
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.part", std::process::id()));
     let part = path.with_file_name(name);

@@ -47,7 +47,7 @@ fn the_cheapest_that_is_exact_enough_is_chosen() {
     );
     assert!(tight.contains("Runners-up:\n  f32: 6181"), "{tight}");
     assert!(
-        tight.contains("the next, f32, takes 5921 cycles and -1760 bytes more"),
+        tight.contains("the next, f32, takes 5921 cycles more and 1760 bytes fewer"),
         "{tight}"
     );
     let loose = advise(&folder, &["--max-error", "0.9"]).output();

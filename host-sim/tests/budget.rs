@@ -195,3 +195,11 @@ fn mistakes_are_told() {
     let absent = run(&["budget", "absent.toml", "--board", "microbit"]);
     absent.mistake(&["absent.toml"]);
 }
+
+#[test]
+fn an_arithmetic_that_was_measured_nowhere_is_told() {
+    let folder = Folder::new("budget-nowhere");
+    let scene = folder.file("scene.toml", support::SCENE);
+    run(&["budget", &scene, "--arithmetic", "micromath"])
+        .mistake(&["--arithmetic micromath", "not measured on any board"]);
+}

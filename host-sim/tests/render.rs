@@ -195,7 +195,7 @@ fn a_devices_picture_is_compared_with_the_hosts() {
     let scene = folder.file("scene.toml", SCENE);
     let (png, out) = (folder.path("device.png"), folder.path("out"));
     run(&["render", &scene, "--arithmetic", "q31", "-o", &png]).output();
-    let compare = || -> Value {
+    let compare = |status: i32| -> Value {
         let ran = run(&[
             "compare",
             &scene,
@@ -207,10 +207,15 @@ fn a_devices_picture_is_compared_with_the_hosts() {
             &out,
             "--json",
         ]);
-        assert!(ran.status <= 1, "{ran:?}");
+        assert_eq!(ran.status, status, "{ran:?}");
+        assert_eq!(
+            ran.stderr.contains("device.png: differs"),
+            status == 1,
+            "{ran:?}"
+        );
         serde_json::from_str(&ran.stdout).expect("JSON")
     };
-    assert_eq!(compare()["device_equals_host"], true);
+    assert_eq!(compare(0)["device_equals_host"], true);
     assert_eq!(picture(&format!("{out}/host.png")), picture(&png));
     for name in ["host.png", "reference.png", "error.png"] {
         assert_eq!(picture(&format!("{out}/{name}")).pixels.len(), 512);
@@ -219,7 +224,7 @@ fn a_devices_picture_is_compared_with_the_hosts() {
     let mut changed = picture(&png);
     changed.pixels[300][1] ^= 1;
     changed.write_png(Path::new(&png)).expect("a picture");
-    assert_eq!(compare()["device_equals_host"], false);
+    assert_eq!(compare(1)["device_equals_host"], false);
 
     let small = Picture {
         width: 16,
@@ -228,7 +233,7 @@ fn a_devices_picture_is_compared_with_the_hosts() {
     };
     small.write_png(Path::new(&png)).expect("a picture");
     run(&["compare", &scene, "--arithmetic", "q31", "--device", &png])
-        .mistake(&["--device", "(16, 32)", "(32, 16)"]);
+        .mistake(&["--device", "16 x 32", "32 x 16"]);
     run(&["compare", &scene, "--device", &png]).mistake(&["--device", "one --arithmetic"]);
     let text = folder.file("device.txt", "no picture");
     run(&["compare", &scene, "--arithmetic", "q31", "--device", &text]).mistake(&["device.txt"]);
@@ -245,4 +250,58 @@ fn help_has_an_example_for_every_command() {
     }
     assert_eq!(run(&[]).status, 2);
     run(&["paint"]).mistake(&["paint"]);
+}
+
+/// What is no file is written to, and a link stays one.
+#[cfg(unix)]
+#[test]
+fn only_files_are_replaced() {
+    use std::os::unix::fs::{FileTypeExt as _, symlink};
+
+    let folder = Folder::new("only_files_are_replaced");
+    let scene = folder.file("scene.toml", SCENE);
+    let is_device = || {
+        fs::metadata("/dev/null")
+            .expect("a device")
+            .file_type()
+            .is_char_device()
+    };
+    if is_device() {
+        run(&["render", &scene, "-o", "/dev/null"]).output();
+        assert!(is_device());
+    }
+    let (target, link) = (folder.path("target.png"), folder.path("link.png"));
+    fs::write(&target, "what was there").expect("a file");
+    symlink(&target, &link).expect("a link");
+    run(&["render", &scene, "-o", &link]).output();
+    assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+    assert_eq!(picture(&target).pixels.len(), 512);
+}
+
+/// Nobody reads on: told, not a panic.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_told() {
+    let folder = Folder::new("a_full_standard_output");
+    let scene = folder.file("scene.toml", SCENE);
+    for arguments in [
+        &["compare", &scene][..],
+        &["compare", &scene, "--json"],
+        &[
+            "albedo",
+            "--material",
+            "model = \"lambert\", albedo = 1",
+            "--angles",
+            "0",
+        ],
+    ] {
+        let full = fs::File::options().write(true).open("/dev/full");
+        let output = support::command(arguments)
+            .stdout(full.expect("a device"))
+            .output()
+            .expect("the command");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.contains("standard output: "), "{said}");
+    }
 }

@@ -112,7 +112,7 @@ impl Description {
                 .iter()
                 .map(|(name, material)| {
                     self.coat(material, &irradiances)
-                        .map_err(|error| format!("material.{name}: {error}"))
+                        .map_err(|error| format!("material.{name}: {error} in {}", A::NAME))
                 })
                 .collect::<Result<_, _>>()?,
             background: Linear::from_raw(r, g, b),

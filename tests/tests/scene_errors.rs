@@ -442,7 +442,7 @@ fn names_and_kinds() {
         "name = \"good\"",
         "name = \"gööd\"",
         "\"gööd\"",
-        &["name = ", "1 to 32 ASCII characters"],
+        &["name = ", "1 to 32 printable ASCII characters"],
     );
     refused(
         "[[sphere]]",

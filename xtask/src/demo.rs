@@ -118,7 +118,7 @@ pub fn run(
 
 /// Host's picture, reference, heat map, and the figures.
 fn compare(host: &HostSim<'_>, order: &Order, device: &Path, out: &Path) -> Outcome<Value> {
-    let figures = host.run([
+    let figures = host.run_to_differ([
         "compare".as_ref(),
         order.scene.as_os_str(),
         "--arithmetic".as_ref(),

@@ -85,13 +85,13 @@ impl<A: Arithmetic> Patch<A> {
         }
     }
 
-    /// Whether V lies within the disc: m ≤ R.
     /// R² as the arithmetic holds it.
     #[must_use]
     pub const fn radius_squared(&self) -> A::Separation {
         self.radius_squared
     }
 
+    /// Whether V lies within the disc: m ≤ R.
     #[inline]
     pub(super) fn covers(&self, geometry: &impl Geometry<A>) -> bool {
         geometry.separation() <= self.radius_squared

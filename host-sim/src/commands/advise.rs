@@ -117,10 +117,15 @@ pub fn run(arguments: &Advise) -> Outcome<()> {
             text,
             "\nWhy: the fewest cycles, and then bytes, of those that hold the bounds{}.",
             holding.get(1).map_or(String::new(), |next| format!(
-                "; the next, {}, takes {:.0} cycles and {} bytes more",
+                "; the next, {}, takes {:.0} cycles more and {} bytes {}",
                 next.name(),
                 next.cost.cycles - best.cost.cycles,
-                next.cost.bytes() as i64 - best.cost.bytes() as i64
+                next.cost.bytes().abs_diff(best.cost.bytes()),
+                if next.cost.bytes() < best.cost.bytes() {
+                    "fewer"
+                } else {
+                    "more"
+                },
             ))
         );
     }

@@ -28,8 +28,7 @@ pub fn run(arguments: &Albedo) -> Outcome<()> {
                 &material,
                 |angle| reference::directional_albedo_rgb(&*model, cosine(angle)).map(|e| e.value),
                 || reference::mean_albedo_rgb(&*model).map(|e| e.value),
-            );
-            Ok(())
+            )
         }
         Computed::Core(name) => with_arithmetic!(name, A => core::<A>(arguments, &material)),
     }
@@ -43,8 +42,7 @@ fn core<A: HostArithmetic>(arguments: &Albedo, material: &Material) -> Outcome<(
         material,
         |angle| shipped.albedo(cosine(angle)),
         || shipped.mean_albedo(),
-    );
-    Ok(())
+    )
 }
 
 fn cosine(degrees: f64) -> f64 {
@@ -61,16 +59,17 @@ fn print(
     material: &Material,
     albedo: impl Fn(f64) -> [f64; 3],
     mean: impl Fn() -> [f64; 3],
-) {
+) -> Outcome<()> {
     let channels = if material.is_coloured() { 3 } else { 1 };
     let line = |name: &str, values: [f64; 3]| {
         let values: Vec<_> = values[..channels].iter().map(f64::to_string).collect();
-        println!("{name},{}", values.join(","));
+        super::print(&format!("{name},{}\n", values.join(",")))
     };
     for &angle in &arguments.angles {
-        line(&angle.to_string(), albedo(angle));
+        line(&angle.to_string(), albedo(angle))?;
     }
     if arguments.mean {
-        line("mean", mean());
+        line("mean", mean())?;
     }
+    Ok(())
 }

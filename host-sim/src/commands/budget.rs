@@ -29,6 +29,12 @@ pub fn run(arguments: &Budget) -> Outcome<()> {
     for board in &boards {
         board.costs(arguments.arithmetic.name())?;
     }
+    if boards.is_empty() {
+        return Err(Failure::Usage(format!(
+            "--arithmetic {}: was not measured on any board",
+            arguments.arithmetic.name()
+        )));
+    }
     let description = Description::from_file(&arguments.scene)?;
     let frame = render::frame(&description, arguments.arithmetic)?;
     let exact = reference_picture::render(&description);

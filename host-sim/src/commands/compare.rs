@@ -36,7 +36,8 @@ pub fn run(arguments: &Compare) -> Outcome<()> {
         );
         if size != expected {
             return Err(Failure::Usage(format!(
-                "--device: a picture of {size:?} pixels: must be {expected:?}, as the scene's"
+                "--device: a picture of {} x {} pixels: must be {} x {}, as the scene's",
+                size.0, size.1, expected.0, expected.1,
             )));
         }
     }
@@ -47,6 +48,7 @@ pub fn run(arguments: &Compare) -> Outcome<()> {
         exact.srgb().write_png(&out.join("reference.png"))?;
     }
     let mut reports = Vec::new();
+    let mut differs = None;
     for &arithmetic in &arguments.arithmetic {
         let host = render::frame(&description, arithmetic)?.srgb();
         let shown = device.as_ref().unwrap_or(&host);
@@ -61,8 +63,11 @@ pub fn run(arguments: &Compare) -> Outcome<()> {
         }
         let measured = Measured::new(shown, &exact);
         let equal = device.as_ref().map(|device| *device == host);
+        if equal == Some(false) {
+            differs = arguments.device.as_deref();
+        }
         if !arguments.json {
-            print(arithmetic, &measured, equal);
+            print(arithmetic, &measured, equal)?;
         }
         reports.push(report(&description, arithmetic, &measured, equal));
     }
@@ -72,9 +77,15 @@ pub fn run(arguments: &Compare) -> Outcome<()> {
         } else {
             Value::Array(reports)
         };
-        println!("{report:#}");
+        super::print(&format!("{report:#}\n"))?;
     }
-    Ok(())
+    match differs {
+        Some(file) => Err(Failure::Incomplete(format!(
+            "{}: differs from the host's picture",
+            file.display()
+        ))),
+        None => Ok(()),
+    }
 }
 
 fn write_pictures(
@@ -123,12 +134,10 @@ pub fn line(arithmetic: ArithmeticName, measured: &Measured) -> String {
     )
 }
 
-fn print(arithmetic: ArithmeticName, measured: &Measured, equal: Option<bool>) {
-    println!("{}", line(arithmetic, measured));
-    if let Some(equal) = equal {
-        println!(
-            "the device's picture {} the host's",
-            if equal { "equals" } else { "differs from" }
-        );
+fn print(arithmetic: ArithmeticName, measured: &Measured, equal: Option<bool>) -> Outcome<()> {
+    super::print(&format!("{}\n", line(arithmetic, measured)))?;
+    match equal {
+        Some(true) => super::print("the device's picture equals the host's\n"),
+        _ => Ok(()),
     }
 }

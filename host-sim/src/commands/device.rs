@@ -40,10 +40,7 @@ fn pty(arguments: &Device, description: &Description) -> Outcome<()> {
     cfmakeraw(&mut settings);
     tcsetattr(&pair.slave, SetArg::TCSANOW, &settings).map_err(fault)?;
     let name = nix::unistd::ttyname(&pair.slave).map_err(fault)?;
-    println!("{}", name.display());
-    io::stdout()
-        .flush()
-        .map_err(|error| Failure::Incomplete(error.to_string()))?;
+    super::print(&format!("{}\n", name.display()))?;
     let sender = Sender::new(arguments, description)?;
     let writer = File::from(pair.master);
     let reader = writer

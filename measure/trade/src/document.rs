@@ -113,8 +113,8 @@ pub fn table(rows: &[&Row]) -> String {
     for (_, name) in &cores {
         let _ = write!(text, " {name} |");
     }
-    text.push_str(" error, in the lobe | anywhere | off by one | by more | bytes of code (M0+ / M3) | of tables | of stack (M0+ / M3) |\n|");
-    text.push_str(&" --- |".repeat(cores.len() + 11));
+    text.push_str(" error, in the lobe | anywhere | off by one | by more | bytes of code (M0+ / M3) | of tables | of stack (M0+ / M3) | kernel |\n|");
+    text.push_str(&" --- |".repeat(cores.len() + 12));
     text.push('\n');
     for kernel in distinct(rows.iter().map(|row| row.kernel.as_str())) {
         let of_kernel: Vec<_> = rows.iter().filter(|row| row.kernel == kernel).collect();
@@ -144,7 +144,7 @@ pub fn table(rows: &[&Row]) -> String {
         };
         let _ = writeln!(
             text,
-            " {} | {} | {} | {} | {} | {} | {} |",
+            " {} | {} | {} | {} | {} | {} | {} | `{kernel}` |",
             number(row.lsb_error_max),
             number(row.lsb_error_anywhere),
             share(row.code_error_share),

@@ -28,7 +28,7 @@ use shape::{read_plane, read_sphere};
 /// resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
-    /// Name, at most 32 ASCII characters.
+    /// Name, at most 32 printable ASCII characters.
     pub name: String,
     /// Where it is seen from.
     pub camera: CameraDescription,
@@ -95,12 +95,12 @@ impl Description {
         let name = match table.optional("name") {
             Some(value) => {
                 let name = value.string()?;
-                if name.is_empty() || name.len() > 32 || !name.is_ascii() {
-                    return Err(value.fault("1 to 32 ASCII characters"));
+                if name.is_empty() || name.len() > 32 || !name.chars().all(printable) {
+                    return Err(value.fault("1 to 32 printable ASCII characters"));
                 }
                 name.to_owned()
             }
-            None => name.chars().filter(char::is_ascii).take(32).collect(),
+            None => name.chars().filter(|&c| printable(c)).take(32).collect(),
         };
         let camera = read_camera(&table.required("camera")?.table()?)?;
         let mut names = Materials::read(table.optional("material"))?;
@@ -283,4 +283,9 @@ fn read_unit(table: &Table<'_, '_>, field: &'static str) -> Result<[f64; 3], Fau
     } else {
         Ok(vector.map(|c| c / norm))
     }
+}
+
+/// Whether the wire takes a character of a name.
+fn printable(c: char) -> bool {
+    c == ' ' || c.is_ascii_graphic()
 }

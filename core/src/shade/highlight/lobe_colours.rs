@@ -34,8 +34,8 @@ const LN_5: u128 = 0x1_9C04_1F7E_D8D3_36AF;
 ///
 /// Where cosΘL is less than cosΘV the ratio of the two dims the lobe as much as
 /// a greater x would, by a second table: x with a ratio r is 1 − (1 − x)·r^(1/n).
-/// A [`LitSphere`](super::LitSphere) says how exact that is. 2 · `CELLS` + 2056 bytes,
-/// the same in flash and filled at start-up.
+/// A [`LitSphere`](super::LitSphere) says how exact that is. `CELLS` is a power of two up
+/// to 4096; 2 · `CELLS` + 2056 bytes, the same in flash and filled at start-up.
 ///
 /// `FLAT` are those of exponent 0, made by [`LobeColours::flat`]: a type of their own, so that
 /// other lobes do not pay for it.

@@ -40,7 +40,8 @@ pub struct SphereRows<'a, const COLOURS: usize, const STEPS: usize, const FLAT: 
 impl<const STEPS: usize> LitSphere<STEPS> {
     /// Rows of pixels that are `step` apart, along a row and from row to row,
     /// from `start` on: all in radii from the centre, x to the right and y
-    /// upwards, each pixel within 2 of it in either.
+    /// upwards, each pixel within 2 of it in either. `colours` are those that the
+    /// light was made for: others are shown with that one's width.
     #[must_use]
     pub fn rows<'a, const COLOURS: usize, const FLAT: bool>(
         &'a self,
