@@ -350,7 +350,7 @@ pub const CORE_BUGS: &[Bug] = &[
     bug(
         "1 − R·V does not make good that N is rounded",
         "core/src/geometry/short_world.rs",
-        "let scaled = square.wrapping_add(((square >> 16) * excess) >> 12);",
+        "let scaled = square.wrapping_add(((square >> 16) * excess) >> 11);",
         "let _ = excess; let scaled = square;",
         &["lib"],
     )
