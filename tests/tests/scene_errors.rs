@@ -444,6 +444,13 @@ fn names_and_kinds() {
         "\"gööd\"",
         &["name = ", "1 to 32 printable ASCII characters"],
     );
+    // What the wire does not take.
+    refused(
+        "name = \"good\"",
+        "name = \"a\\u0007b\"",
+        "\"a\\u0007b\"",
+        &["name = ", "1 to 32 printable ASCII characters"],
+    );
     refused(
         "[[sphere]]",
         "[sphere]",
