@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
 
-use crate::beside;
+use crate::beside_libm;
 use crate::document::CORES;
 use crate::row::Row;
 
@@ -172,7 +172,7 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
         of_calls(NOTHING),
         of_calls("srgb8_direct"),
     );
-    text.push_str(&beside::markdown(rows));
+    text.push_str(&beside_libm::markdown(rows));
     for goal in &GOALS {
         let missed: Vec<_> = AIMED
             .into_iter()
@@ -210,7 +210,7 @@ pub fn markdown(rows: &[Row], listings: &Listings) -> String {
 /// The goals that are missed on the cores that there are figures of.
 #[must_use]
 pub fn missed(rows: &[Row]) -> Vec<String> {
-    let mut faults = beside::missed(rows);
+    let mut faults = beside_libm::missed(rows);
     for goal in &GOALS {
         for (core, at_most) in AIMED.into_iter().zip(goal.at_most) {
             let most = most(rows, goal, core);

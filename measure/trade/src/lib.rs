@@ -1,7 +1,7 @@
 //! Error against cost: what the kernels of `microbrdf-kernels` get wrong, the
 //! calls that an emulated core is to make, and the tables and plots of both.
 
-mod beside;
+mod beside_libm;
 pub mod budget;
 pub mod check;
 pub mod curve;

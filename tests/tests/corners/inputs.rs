@@ -5,7 +5,7 @@ use microbrdf::arithmetic::{Arithmetic as _, F32, Q31};
 use microbrdf::brdf::{Brdf, MetallicPhong};
 use microbrdf::fixed::types::I2F30;
 use microbrdf::geometry::{Direction, ShadingFrame, World};
-use microbrdf_tests::arithmetic::bits;
+use microbrdf_tests::arithmetic::{Tested, bits};
 use microbrdf_tests::given::{frame, model};
 
 use crate::faults::{Faults, in_range, is_zero};
@@ -53,41 +53,37 @@ const EACH: [&str; 16] = [
     "model = \"generalised-lambert\", albedo = 1, smoothness = 1",
 ];
 
-#[test]
-fn no_fixed_point_input_leaves_the_range() {
+/// Every direction of such components: of `values` in the shading frame, of `few` in
+/// world space.
+fn components_stay_in_range<A: Tested>(values: &[A::Component], few: &[A::Component]) {
     let mut faults = Faults::default();
-    let values = [i32::MIN, -(1 << 30), -1, 0, 1, 1 << 30, i32::MAX].map(I2F30::from_bits);
-    let few = [i32::MIN, 0, 1 << 30, i32::MAX].map(I2F30::from_bits);
+    let direction = |c: &[A::Component], i| Direction::<A>::new(c[i], c[i + 1], c[i + 2]);
     for toml in EACH {
-        let model = model::<Q31>(toml);
-        each(&values, 6, |c| {
-            let [l, v] = [0, 3].map(|i| Direction::new(c[i], c[i + 1], c[i + 2]));
+        let model = model::<A>(toml);
+        each(values, 6, |c| {
+            let [l, v] = [0, 3].map(|i| direction(c, i));
             in_range(&mut faults, toml, &model, &ShadingFrame::new(l, v));
         });
-        each(&few, 9, |c| {
-            let [n, l, v] = [0, 3, 6].map(|i| Direction::new(c[i], c[i + 1], c[i + 2]));
+        each(few, 9, |c| {
+            let [n, l, v] = [0, 3, 6].map(|i| direction(c, i));
             in_range(&mut faults, toml, &model, &World::new(n, l, v));
         });
     }
 }
 
+#[test]
+fn no_fixed_point_input_leaves_the_range() {
+    let values = [i32::MIN, -(1 << 30), -1, 0, 1, 1 << 30, i32::MAX].map(I2F30::from_bits);
+    let few = [i32::MIN, 0, 1 << 30, i32::MAX].map(I2F30::from_bits);
+    components_stay_in_range::<Q31>(&values, &few);
+}
+
 /// Finite numbers of any size, negative zero among them.
 #[test]
 fn no_finite_input_leaves_the_range() {
-    let mut faults = Faults::default();
     let values = [f32::MIN, -1.0, -0.0, 0.0, f32::MIN_POSITIVE, 1.0, 1e20];
     let few = [f32::MIN, -0.0, 1.0, 1e-30];
-    for toml in EACH {
-        let model = model::<F32>(toml);
-        each(&values, 6, |c| {
-            let [l, v] = [0, 3].map(|i| Direction::new(c[i], c[i + 1], c[i + 2]));
-            in_range(&mut faults, toml, &model, &ShadingFrame::new(l, v));
-        });
-        each(&few, 9, |c| {
-            let [n, l, v] = [0, 3, 6].map(|i| Direction::new(c[i], c[i + 1], c[i + 2]));
-            in_range(&mut faults, toml, &model, &World::new(n, l, v));
-        });
-    }
+    components_stay_in_range::<F32>(&values, &few);
 }
 
 /// Every mixture of good components of L, V and N and one bad value.
